@@ -1,0 +1,12 @@
+# Debian 12 packages; each is linked PRIVATE by the one library that wraps it.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(MUPARSER REQUIRED IMPORTED_TARGET muparser)
+pkg_check_modules(ZMQ REQUIRED IMPORTED_TARGET libzmq)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_program(FLATC flatc REQUIRED)
+find_library(UMFPACK_LIBRARY umfpack REQUIRED)
+find_path(UMFPACK_INCLUDE umfpack.h PATH_SUFFIXES suitesparse REQUIRED)

@@ -1,0 +1,13 @@
+# fpi::options: what every target of ours is compiled with.
+add_library(fpi_options INTERFACE)
+add_library(fpi::options ALIAS fpi_options)
+target_compile_options(fpi_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+  -Woverloaded-virtual -Werror)
+if(FPI_NATIVE)
+  target_compile_options(fpi_options INTERFACE -march=native)
+endif()
+if(FPI_SANITIZE)
+  target_compile_options(fpi_options INTERFACE -fsanitize=${FPI_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  target_link_options(fpi_options INTERFACE -fsanitize=${FPI_SANITIZE})
+endif()

@@ -1,0 +1,72 @@
+/// The bodies of a scene: discs (plane scenes) and spheres, with their motion. All roles read them.
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/parameters.hpp"
+
+namespace fpi::scene {
+
+using Vec3 = std::array<double, 3>;  ///< plane scenes leave z = 0; a plane spin is the z component
+
+/// [[bodies]]
+struct Body {
+  std::string name;
+  std::string shape = "disc";     ///< disc | sphere
+  double radius = 0;              ///< contact radius R [m]
+  double density = 0;             ///< ρ_s [kg/m³]
+  std::vector<double> position;   ///< centre at the start [m], 2 or 3 entries
+  std::vector<double> velocity{0, 0};  ///< at the start [m/s]
+  std::vector<double> spin{0};    ///< ω at the start [rad/s]: one entry in the plane, three in space
+  std::string motion = "free";    ///< free | fixed | prescribed
+  std::vector<std::string> prescribed_velocity;  ///< [m/s], formulas of t, for motion = "prescribed"
+  std::string prescribed_spin = "0";             ///< [rad/s], formula of t
+  std::string material;           ///< a name of [[materials]]; "" takes the first, or none where nothing touches
+
+  static constexpr std::array<std::string_view, 2> shapes{"disc", "sphere"};
+  static constexpr std::array<std::string_view, 3> motions{"free", "fixed", "prescribed"};
+
+  void declare(ParameterVisitor& v) {
+    v.text({"name", "", "name in reports and results; unique", true}, name);
+    v.choice({"shape", "", "disc in a plane scene, sphere in space"}, shape, shapes);
+    v.real({"radius", "m", "contact radius R", true}, radius, positive());
+    v.real({"density", "kg/m³", "density of the body; needed for free bodies"}, density, not_negative());
+    v.reals({"position", "m", "centre at the start", true}, position, {2, 3}, any_number());
+    v.reals({"velocity", "m/s", "velocity of the centre at the start"}, velocity, {2, 3}, any_number());
+    v.reals({"spin", "rad/s", "spin at the start: [ω] in the plane, three entries in space"}, spin, {1, 3},
+            any_number());
+    v.choice({"motion", "", "free: moved by the DEM; fixed: held; prescribed: moves by formulas of t"}, motion,
+             motions);
+    v.formulas({"prescribed_velocity", "m/s", "velocity as formulas of t, for motion = \"prescribed\""},
+               prescribed_velocity, {0, 3});
+    v.text({"prescribed_spin", "rad/s", "spin about z as a formula of t, for motion = \"prescribed\""},
+           prescribed_spin);
+    v.text({"material", "", "a name of [[materials]]; empty takes the first"}, material);
+    v.require(motion != "prescribed" || prescribed_velocity.size() >= 2, "prescribed_velocity",
+              "two or three formulas are required where motion = \"prescribed\"");
+    v.require(motion == "prescribed" || prescribed_velocity.empty(), "prescribed_velocity",
+              "it goes with motion = \"prescribed\" only: remove it or change the motion");
+  }
+
+  bool is_free() const { return motion == "free"; }
+  /// Volume [m³] of the body seen with radius r; a disc is a cylinder of the scene's thickness.
+  double volume(double r, double thickness) const {
+    return shape == "disc" ? std::numbers::pi * r * r * thickness : 4.0 / 3.0 * std::numbers::pi * r * r * r;
+  }
+};
+
+/// First three components of a list of up to three, the rest zero.
+inline Vec3 to_vec3(const std::vector<double>& v) {
+  Vec3 out{};
+  for (std::size_t i = 0; i < v.size() && i < 3; ++i) out[i] = v[i];
+  return out;
+}
+/// A spin written [ω] turns about z.
+inline Vec3 spin_to_vec3(const std::vector<double>& v) {
+  return v.size() == 1 ? Vec3{0, 0, v[0]} : to_vec3(v);
+}
+
+}  // namespace fpi::scene

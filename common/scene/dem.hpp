@@ -1,0 +1,61 @@
+/// [dem], [[materials]] and [[walls]]: the grains' contacts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/fluid.hpp"
+
+namespace fpi::scene {
+
+/// [[materials]]
+struct Material {
+  std::string name;
+  double youngs_modulus = 0;    ///< E [Pa]
+  double poisson_ratio = 0.25;  ///< ν
+  double restitution = 0.9;     ///< e, ratio of normal speeds after and before an impact
+  double friction = 0.3;        ///< Coulomb μ
+  double rolling_friction = 0;  ///< μ_r: rolling moment ≤ μ_r R* N
+
+  void declare(ParameterVisitor& v) {
+    v.text({"name", "", "name that bodies and walls refer to; unique", true}, name);
+    v.real({"youngs_modulus", "Pa", "E of the Hertz contact", true}, youngs_modulus, positive());
+    v.real({"poisson_ratio", "", "Poisson's ratio"}, poisson_ratio, between(0, 0.5));
+    v.real({"restitution", "", "normal speed after over before a dry impact"}, restitution, above_up_to(0, 1));
+    v.real({"friction", "", "Coulomb friction coefficient μ"}, friction, not_negative());
+    v.real({"rolling_friction", "", "rolling resistance coefficient: moment at most μ_r R* N"}, rolling_friction,
+           not_negative());
+  }
+};
+
+/// [[walls]]: a plane; the grains are on the side that the normal points to.
+struct Wall {
+  std::string name;
+  std::vector<double> point, normal;
+  std::string material;
+
+  void declare(ParameterVisitor& v) {
+    v.text({"name", "", "name in reports; unique", true}, name);
+    v.reals({"point", "m", "a point of the plane", true}, point, {2, 3}, any_number());
+    v.reals({"normal", "", "normal towards the grains; need not be a unit vector", true}, normal, {2, 3},
+            any_number());
+    v.text({"material", "", "a name of [[materials]]; empty takes the first"}, material);
+  }
+};
+
+/// [dem]
+struct Dem {
+  Launch launch;
+  double steps_per_contact = 50;   ///< t_c over the sub-step while something touches
+  double largest_sub_step = 0;     ///< [s]; 0: the coupling step
+
+  void declare(ParameterVisitor& v) {
+    launch.declare(v);
+    v.real({"steps_per_contact", "", "sub-steps in the Hertz contact time of the stiffest pair that can touch"},
+           steps_per_contact, between(10, 1e6));
+    v.real({"largest_sub_step", "s", "upper limit of the sub-step in free flight; 0: the coupling step"},
+           largest_sub_step, not_negative());
+  }
+};
+
+}  // namespace fpi::scene

@@ -1,0 +1,158 @@
+/// [fluid]: the flow, its mesh, its boundaries, its solver and the way bodies are embedded in it.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/parameters.hpp"
+
+namespace fpi::scene {
+
+/// [fluid.mesh]: a Gmsh file, or a rectangle made here.
+struct Mesh {
+  std::string file;                 ///< Gmsh .msh (2.2 or 4.1); the coupler reads its bytes
+  std::vector<double> lower, upper; ///< corners of the rectangle [m]
+  std::int64_t cells_x = 0, cells_y = 0;  ///< uniform division
+  double cell_size = 0;             ///< [m] graded division: size inside fine_region
+  std::vector<double> fine_region;  ///< [x0, y0, x1, y1] [m]; empty: everywhere
+  double growth = 1.15;             ///< ratio of neighbouring cell sizes outside fine_region
+  double largest_cell_size = 0;     ///< [m]; 0: no limit
+
+  void declare(ParameterVisitor& v) {
+    v.text({"file", "", "Gmsh mesh (.msh, format 2.2 or 4.1), beside the scene; else a rectangle is made"}, file);
+    v.reals({"lower", "m", "lower left corner of the rectangle"}, lower, {0, 2}, any_number());
+    v.reals({"upper", "m", "upper right corner of the rectangle"}, upper, {0, 2}, any_number());
+    v.integer({"cells_x", "", "uniform division: cells along x, each of two triangles"}, cells_x,
+              between(0, 100000));
+    v.integer({"cells_y", "", "uniform division: cells along y"}, cells_y, between(0, 100000));
+    v.real({"cell_size", "m", "graded division: short side of the triangles inside fine_region"}, cell_size,
+           not_negative());
+    v.reals({"fine_region", "m", "graded division: [x0, y0, x1, y1] kept at cell_size; empty: everywhere"},
+            fine_region, {0, 4}, any_number());
+    v.real({"growth", "", "graded division: ratio of neighbouring sizes outside fine_region"}, growth,
+           between(1, 2));
+    v.real({"largest_cell_size", "m", "graded division: upper limit of the size; 0: none"}, largest_cell_size,
+           not_negative());
+    const bool rectangle = lower.size() == 2 && upper.size() == 2;
+    v.require(file.empty() != rectangle, "file", "either file, or lower and upper of a rectangle, is required");
+    v.require(!rectangle || (lower[0] < upper[0] && lower[1] < upper[1]), "upper",
+              "upper must lie right of and above lower");
+    v.require(!rectangle || (cells_x > 0 && cells_y > 0) != (cell_size > 0), "cells_x",
+              "either cells_x and cells_y, or cell_size, is required for a rectangle");
+    v.require(fine_region.empty() || fine_region.size() == 4, "fine_region", "four numbers are required");
+  }
+};
+
+/// [fluid.boundaries.NAME]: the condition on a named part of the outer boundary.
+struct Boundary {
+  std::string type;
+  std::vector<std::string> velocity{"0", "0"};
+  std::vector<std::string> traction{"0", "0"};
+
+  static constexpr std::array<std::string_view, 4> types{"no_slip", "velocity", "slip", "traction"};
+
+  void declare(ParameterVisitor& v) {
+    v.choice({"type", "", "no_slip (u = 0), velocity (u given), slip (u·n = 0), traction (σn given; 0: open)",
+              true},
+             type, types);
+    v.formulas({"velocity", "m/s", "formulas of x, y, t, for type = \"velocity\""}, velocity, {2, 2});
+    v.formulas({"traction", "Pa", "σn as formulas of x, y, t, for type = \"traction\""}, traction, {2, 2});
+  }
+};
+
+/// [fluid.newton]
+struct Newton {
+  double relative_tolerance = 1e-8;  ///< of the update, against the solution
+  std::int64_t max_iterations = 25;
+  double refactor_ratio = 0.2;
+
+  void declare(ParameterVisitor& v) {
+    v.real({"relative_tolerance", "", "Newton ends when the update is below this fraction of the solution"},
+           relative_tolerance, above_up_to(0, 0.1));
+    v.integer({"max_iterations", "", "Newton–Raphson iterations before the step is given up"}, max_iterations,
+              between(1, 1000));
+    v.real({"refactor_ratio", "",
+            "an old factor is kept while each correction is below this fraction of the one before"},
+           refactor_ratio, between(0, 0.9));
+  }
+};
+
+/// [fluid.embedding]: numerics.md section 1. The defaults suit every scene measured so far.
+struct Embedding {
+  double arc_ratio = 1.0;             ///< H/h
+  double ghost_viscous = 0.1;         ///< γ_u
+  double ghost_pressure = 0.1;        ///< γ_p
+  double ghost_inertia = 0.1;         ///< γ_m
+
+  void declare(ParameterVisitor& v) {
+    v.real({"arc_ratio", "", "H/h: length of a multiplier arc over the local element size"}, arc_ratio,
+           between(0.75, 2));
+    v.real({"ghost_viscous", "", "γ_u of the ghost penalty on the velocity"}, ghost_viscous, positive());
+    v.real({"ghost_pressure", "", "γ_p of the ghost penalty on the pressure"}, ghost_pressure, positive());
+    v.real({"ghost_inertia", "", "γ_m of the ghost penalty on the inertia"}, ghost_inertia, positive());
+  }
+};
+
+/// How the program of a role is started; part of [fluid] and [dem].
+struct Launch {
+  std::string command;    ///< "" takes our own solver
+  bool external = false;  ///< started by hand
+
+  void declare(ParameterVisitor& v) {
+    v.text({"command", "", "another program for this role, with its arguments; empty takes ours"}, command);
+    v.boolean({"external", "", "the program is started by hand; the coupler prints its address and waits"},
+              external);
+    v.require(command.empty() || !external, "external", "either command or external = true, not both");
+  }
+};
+
+/// [fluid]
+struct Fluid {
+  Launch launch;
+  double density = 0;                         ///< ρ [kg/m³]
+  std::optional<double> dynamic_viscosity;    ///< μ [Pa s]
+  std::optional<double> kinematic_viscosity;  ///< ν [m²/s]
+  bool convection = true;
+  std::string viscous_form = "symmetric";
+  double newmark_gamma = 0.5;                 ///< γ of paper eq. (10)
+  std::vector<std::string> body_force{"0", "0"};        ///< ρb [N/m³], besides gravity
+  std::vector<std::string> initial_velocity{"0", "0"};  ///< [m/s]
+  Mesh mesh;
+  std::map<std::string, Boundary> boundaries;
+  Newton newton;
+  Embedding embedding;
+
+  static constexpr std::array<std::string_view, 2> viscous_forms{"symmetric", "gradient"};
+
+  void declare(ParameterVisitor& v) {
+    launch.declare(v);
+    v.real({"density", "kg/m³", "fluid density ρ", true}, density, positive());
+    v.real({"dynamic_viscosity", "Pa s", "μ; either this or kinematic_viscosity"}, dynamic_viscosity, positive());
+    v.real({"kinematic_viscosity", "m²/s", "ν = μ/ρ; either this or dynamic_viscosity"}, kinematic_viscosity,
+           positive());
+    v.require(dynamic_viscosity.has_value() != kinematic_viscosity.has_value(), "dynamic_viscosity",
+              "exactly one of dynamic_viscosity and kinematic_viscosity is required");
+    v.boolean({"convection", "", "false: Stokes flow; the system is linear"}, convection);
+    v.choice({"viscous_form", "",
+              "symmetric: 2μ ε(u):ε(w), traction σn at open boundaries; gradient: μ ∇u:∇w, as the DFG references"},
+             viscous_form, viscous_forms);
+    v.real({"newmark_gamma", "", "γ of Newmark's method: 0.5 second order, 1 backward Euler"}, newmark_gamma,
+           between(0.5, 1));
+    v.formulas({"body_force", "N/m³", "force density besides gravity, formulas of x, y, t"}, body_force, {2, 2});
+    v.formulas({"initial_velocity", "m/s", "velocity at the start, formulas of x, y"}, initial_velocity, {2, 2});
+    v.table({"mesh", "", "the fixed Eulerian mesh"}, mesh);
+    v.named_tables({"boundaries", "",
+                    "a table a named boundary; a rectangle has left, right, bottom, top, a Gmsh mesh its "
+                    "physical names"},
+                   boundaries);
+    v.table({"newton", "", "the nonlinear iteration"}, newton);
+    v.table({"embedding", "", "bodies in the non-matching mesh"}, embedding);
+  }
+
+  double viscosity() const { return dynamic_viscosity ? *dynamic_viscosity : *kinematic_viscosity * density; }
+};
+
+}  // namespace fpi::scene

@@ -1,0 +1,118 @@
+/// A scene: everything a run needs, as declared in the groups beside this file. Only the coupler reads the file;
+/// a participant gets its part (`part_for`) as text with all defaults filled in and reads that.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/bodies.hpp"
+#include "scene/coupling.hpp"
+#include "scene/dem.hpp"
+#include "scene/fluid.hpp"
+
+namespace fpi::scene {
+
+/// [time]
+struct Time {
+  bool steady = false;
+  double step = 0;               ///< Δt [s]
+  double end = 0;                ///< [s]
+  std::int64_t max_halvings = 6;
+
+  void declare(ParameterVisitor& v) {
+    v.boolean({"steady", "", "true: one steady solve, no time loop"}, steady);
+    v.real({"step", "s", "time step Δt; needed unless steady"}, step, not_negative());
+    v.real({"end", "s", "time at which the run ends; needed unless steady"}, end, not_negative());
+    v.integer({"max_halvings", "", "how often a step that does not converge is halved before the run ends"},
+              max_halvings, between(0, 30));
+    v.require(steady || step > 0, "step", "a step > 0 s is required (or steady = true)");
+    v.require(steady || end > 0, "end", "an end > 0 s is required (or steady = true)");
+  }
+};
+
+/// [output]
+struct Output {
+  double interval = 0;            ///< [s] of fields; 0: first and last only
+  bool fields = true;
+  std::int64_t checkpoint_every = 0;
+
+  void declare(ParameterVisitor& v) {
+    v.real({"interval", "s", "time between written fields; 0: the first and the last only"}, interval,
+           not_negative());
+    v.boolean({"fields", "", "false: no fields are gathered, sent or written"}, fields);
+    v.integer({"checkpoint_every", "steps", "steps between checkpoints of all participants; 0: none"},
+              checkpoint_every, between(0, 1e9));
+  }
+};
+
+/// [coefficients]: drag and lift of a body or a named boundary, c = 2F/(ρ U² L).
+struct Coefficients {
+  std::string on;
+  double velocity = 0, length = 0;
+
+  void declare(ParameterVisitor& v) {
+    v.text({"on", "", "name of a body or of a boundary", true}, on);
+    v.real({"velocity", "m/s", "reference velocity U", true}, velocity, positive());
+    v.real({"length", "m", "reference length L", true}, length, positive());
+  }
+};
+
+/// [[probes]]: a value at a point, or the difference of the values at two points.
+struct Probe {
+  std::string name;
+  std::string quantity = "pressure";
+  std::vector<double> point, minus;
+
+  static constexpr std::array<std::string_view, 3> quantities{"pressure", "velocity_x", "velocity_y"};
+
+  void declare(ParameterVisitor& v) {
+    v.text({"name", "", "name in the results; unique", true}, name);
+    v.choice({"quantity", "", "what is read there; pressure is the reduced one where there is gravity"}, quantity,
+             quantities);
+    v.reals({"point", "m", "where", true}, point, {2, 2}, any_number());
+    v.reals({"minus", "m", "a second point whose value is taken away; empty: none"}, minus, {0, 2}, any_number());
+  }
+};
+
+/// The whole file.
+struct Scene {
+  std::string title, source, expected;
+  std::vector<double> gravity{0, 0};  ///< g [m/s²]
+  double thickness = 1;               ///< of a plane scene [m]
+  double hydraulic_radius_ratio = 1;
+  Time time;
+  std::optional<Fluid> fluid;
+  std::optional<Dem> dem;
+  std::vector<Body> bodies;
+  std::vector<Material> materials;
+  std::vector<Wall> walls;
+  Coupling coupling;
+  Output output;
+  std::optional<Coefficients> coefficients;
+  std::vector<Probe> probes;
+
+  void declare(ParameterVisitor& v);
+
+  bool moves_freely() const;                  ///< a body is free
+  bool moves() const;                         ///< a body is free or prescribed
+  bool needs_fluid() const { return fluid.has_value(); }
+  bool needs_dem() const { return moves_freely(); }
+};
+
+enum class Part { fluid, dem };
+
+/// Reads a scene file. Throws Error: file, line, key, what was required, what came, "did you mean".
+Scene read_file(const std::string& path, const std::vector<std::string>& overrides = {});
+/// Reads a scene from text; `name` stands for the file in errors. Overrides are "key.subkey=value".
+Scene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {});
+/// The scene as TOML with every default filled in.
+std::string write_text(const Scene& scene);
+/// The scene without what concerns the other role, as TOML; the mesh file's name stays, its bytes go beside.
+std::string part_for(Part part, const Scene& scene);
+/// FNV-1a hash of `write_text`.
+std::uint64_t fingerprint(const Scene& scene);
+/// All parameters with unit, bounds, default and sentence, as Markdown (docs/scene_reference.md).
+std::string reference();
+
+}  // namespace fpi::scene
