@@ -51,15 +51,18 @@ class ParameterVisitor {
   virtual void integer(const Parameter&, std::int64_t& value, Bounds) = 0;
   virtual void boolean(const Parameter&, bool& value) = 0;
   virtual void text(const Parameter&, std::string& value) = 0;
+  /// A formula (core/expression.hpp) may be written as a number; it arrives as its text.
+  virtual void formula(const Parameter&, std::string& value) = 0;
   /// A word out of `choices`.
   virtual void choice(const Parameter&, std::string& value, std::span<const std::string_view> choices) = 0;
 
-  // Lists. A formula may be written as a number; it arrives as its text.
+  // Lists.
   virtual void reals(const Parameter&, std::vector<double>& values, Count, Bounds) = 0;
   virtual void texts(const Parameter&, std::vector<std::string>& values, Count) = 0;
   virtual void formulas(const Parameter&, std::vector<std::string>& values, Count) = 0;
 
-  /// A condition between several members. The reader fails with `required`, the place of `key` and `remedy`.
+  /// A condition between several members. Where it does not hold the reader fails with `required`, the place of
+  /// `key` (which may be dotted, "bodies.0.material") and what came there.
   virtual void require(bool condition, std::string_view key, std::string_view required) = 0;
 
   /// A table [key] that always exists (its members have defaults, or are required one by one).

@@ -34,21 +34,28 @@ struct Body {
     v.choice({"shape", "", "disc in a plane scene, sphere in space"}, shape, shapes);
     v.real({"radius", "m", "contact radius R", true}, radius, positive());
     v.real({"density", "kg/m³", "density of the body; needed for free bodies"}, density, not_negative());
-    v.reals({"position", "m", "centre at the start", true}, position, {2, 3}, any_number());
-    v.reals({"velocity", "m/s", "velocity of the centre at the start"}, velocity, {2, 3}, any_number());
-    v.reals({"spin", "rad/s", "spin at the start: [ω] in the plane, three entries in space"}, spin, {1, 3},
-            any_number());
+    const std::size_t axes = shape == "disc" ? 2 : 3, spins = shape == "disc" ? 1 : 3;
+    velocity.resize(axes);  // the defaults, zero, take the length that the shape asks for
+    spin.resize(spins);
+    v.reals({"position", "m", "centre at the start: [x, y] of a disc, [x, y, z] of a sphere", true}, position,
+            {axes, axes}, any_number());
+    v.reals({"velocity", "m/s", "velocity of the centre at the start"}, velocity, {axes, axes}, any_number());
+    v.reals({"spin", "rad/s", "spin at the start: [ω] of a disc, three entries of a sphere"}, spin,
+            {spins, spins}, any_number());
     v.choice({"motion", "", "free: moved by the DEM; fixed: held; prescribed: moves by formulas of t"}, motion,
              motions);
     v.formulas({"prescribed_velocity", "m/s", "velocity as formulas of t, for motion = \"prescribed\""},
                prescribed_velocity, {0, 3});
-    v.text({"prescribed_spin", "rad/s", "spin about z as a formula of t, for motion = \"prescribed\""},
-           prescribed_spin);
+    v.formula({"prescribed_spin", "rad/s", "spin about z as a formula of t, for motion = \"prescribed\""},
+              prescribed_spin);
     v.text({"material", "", "a name of [[materials]]; empty takes the first"}, material);
-    v.require(motion != "prescribed" || prescribed_velocity.size() >= 2, "prescribed_velocity",
-              "two or three formulas are required where motion = \"prescribed\"");
-    v.require(motion == "prescribed" || prescribed_velocity.empty(), "prescribed_velocity",
-              "it goes with motion = \"prescribed\" only: remove it or change the motion");
+    v.require(motion != "prescribed" || prescribed_velocity.size() == axes, "prescribed_velocity",
+              "must have a formula for each axis where motion = \"prescribed\"");
+    v.require(motion == "prescribed" || (prescribed_velocity.empty() && prescribed_spin == "0"),
+              prescribed_velocity.empty() ? "prescribed_spin" : "prescribed_velocity",
+              "goes with motion = \"prescribed\" only: remove it or change the motion");
+    v.require(motion != "free" || density > 0, "density",
+              "must be > 0 kg/m³ for a body that moves freely (motion = \"free\")");
   }
 
   bool is_free() const { return motion == "free"; }

@@ -37,12 +37,16 @@ struct Mesh {
     v.real({"largest_cell_size", "m", "graded division: upper limit of the size; 0: none"}, largest_cell_size,
            not_negative());
     const bool rectangle = lower.size() == 2 && upper.size() == 2;
-    v.require(file.empty() != rectangle, "file", "either file, or lower and upper of a rectangle, is required");
+    v.require(file.empty() ? rectangle : lower.empty() && upper.empty(), file.empty() ? "lower" : "file",
+              "must name a mesh, or else lower = [x, y] and upper = [x, y] must give the corners of a rectangle");
     v.require(!rectangle || (lower[0] < upper[0] && lower[1] < upper[1]), "upper",
-              "upper must lie right of and above lower");
-    v.require(!rectangle || (cells_x > 0 && cells_y > 0) != (cell_size > 0), "cells_x",
-              "either cells_x and cells_y, or cell_size, is required for a rectangle");
-    v.require(fine_region.empty() || fine_region.size() == 4, "fine_region", "four numbers are required");
+              "must lie right of and above lower");
+    const bool uniform = cells_x > 0 && cells_y > 0, divided = cells_x > 0 || cells_y > 0;
+    v.require(!rectangle || (cell_size > 0 ? !divided : uniform), cell_size > 0 ? "cell_size" : "cells_x",
+              "must go without the other: a rectangle has either cells_x and cells_y, or cell_size");
+    v.require(rectangle || (cell_size == 0 && !divided), "file",
+              "has its own cells: remove cells_x, cells_y and cell_size");
+    v.require(fine_region.empty() || fine_region.size() == 4, "fine_region", "must be [x0, y0, x1, y1] or empty");
   }
 };
 
@@ -60,6 +64,9 @@ struct Boundary {
              type, types);
     v.formulas({"velocity", "m/s", "formulas of x, y, t, for type = \"velocity\""}, velocity, {2, 2});
     v.formulas({"traction", "Pa", "σn as formulas of x, y, t, for type = \"traction\""}, traction, {2, 2});
+    const std::vector<std::string> zero{"0", "0"};
+    v.require(type == "velocity" || velocity == zero, "velocity", "goes with type = \"velocity\" only");
+    v.require(type == "traction" || traction == zero, "traction", "goes with type = \"traction\" only");
   }
 };
 
@@ -105,7 +112,7 @@ struct Launch {
     v.text({"command", "", "another program for this role, with its arguments; empty takes ours"}, command);
     v.boolean({"external", "", "the program is started by hand; the coupler prints its address and waits"},
               external);
-    v.require(command.empty() || !external, "external", "either command or external = true, not both");
+    v.require(command.empty() || !external, "external", "must not be true where command names a program");
   }
 };
 
@@ -134,7 +141,7 @@ struct Fluid {
     v.real({"kinematic_viscosity", "m²/s", "ν = μ/ρ; either this or dynamic_viscosity"}, kinematic_viscosity,
            positive());
     v.require(dynamic_viscosity.has_value() != kinematic_viscosity.has_value(), "dynamic_viscosity",
-              "exactly one of dynamic_viscosity and kinematic_viscosity is required");
+              "must be given, or kinematic_viscosity, and not both");
     v.boolean({"convection", "", "false: Stokes flow; the system is linear"}, convection);
     v.choice({"viscous_form", "",
               "symmetric: 2μ ε(u):ε(w), traction σn at open boundaries; gradient: μ ∇u:∇w, as the DFG references"},

@@ -26,8 +26,8 @@ struct Time {
     v.real({"end", "s", "time at which the run ends; needed unless steady"}, end, not_negative());
     v.integer({"max_halvings", "", "how often a step that does not converge is halved before the run ends"},
               max_halvings, between(0, 30));
-    v.require(steady || step > 0, "step", "a step > 0 s is required (or steady = true)");
-    v.require(steady || end > 0, "end", "an end > 0 s is required (or steady = true)");
+    v.require(steady || step > 0, "step", "must be > 0 s (or steady = true)");
+    v.require(steady || end > 0, "end", "must be > 0 s (or steady = true)");
   }
 };
 
@@ -72,6 +72,7 @@ struct Probe {
              quantities);
     v.reals({"point", "m", "where", true}, point, {2, 2}, any_number());
     v.reals({"minus", "m", "a second point whose value is taken away; empty: none"}, minus, {0, 2}, any_number());
+    v.require(minus.size() != 1, "minus", "must be [x, y] or empty");
   }
 };
 

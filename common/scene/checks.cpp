@@ -1,0 +1,138 @@
+#include "scene/checks.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/error.hpp"
+
+namespace fpi::scene {
+namespace {
+
+constexpr std::array<std::string_view, 4> rectangle_sides{"left", "right", "bottom", "top"};
+
+/// " (did you mean \"steel\"?)", or the whole list where nothing is near.
+template <class Range>
+std::string hint(std::string_view word, const Range& candidates) {
+  const std::string near = did_you_mean(word, candidates);
+  if (!near.empty()) return fmt::format(" (did you mean \"{}\"?)", near);
+  return fmt::format(" ({})", fmt::join(candidates, ", "));
+}
+
+template <class Group>
+std::vector<std::string> names_of(const std::vector<Group>& groups) {
+  std::vector<std::string> names;
+  for (const Group& group : groups) names.push_back(group.name);
+  return names;
+}
+
+std::string key_of(std::string_view list, std::size_t index, std::string_view key) {
+  return fmt::format("{}.{}.{}", list, index, key);
+}
+
+/// Names become columns and HDF5 paths, so they are plain words.
+template <class Group>
+void check_names(std::string_view list, const std::vector<Group>& groups, ParameterVisitor& v) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const std::string& name = groups[i].name;
+    const bool plain = !name.empty() && std::ranges::all_of(name, [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+             c == '-';
+    });
+    v.require(plain, key_of(list, i, "name"), "must be a word of letters a-z, digits, _ and -");
+    v.require(seen.insert(name).second, key_of(list, i, "name"),
+              fmt::format("must be unique among [[{}]]", list));
+  }
+}
+
+template <class Group>
+void check_materials(std::string_view list, const std::vector<Group>& groups, const Scene& scene,
+                     ParameterVisitor& v) {
+  const std::vector<std::string> materials = names_of(scene.materials);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const std::string& material = groups[i].material;
+    const bool known = material.empty() || std::ranges::find(materials, material) != materials.end();
+    if (known) continue;
+    v.require(false, key_of(list, i, "material"),
+              "must name one of [[materials]]" + hint(material, materials));
+  }
+}
+
+void check_dimensions(const Scene& scene, ParameterVisitor& v) {
+  if (scene.bodies.empty()) return;
+  const std::string& shape = scene.bodies[0].shape;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    v.require(scene.bodies[i].shape == shape, key_of("bodies", i, "shape"),
+              fmt::format("must be \"{}\" as that of the first body: a scene is plane or in space", shape));
+    v.require(!scene.fluid || scene.bodies[i].shape == "disc", key_of("bodies", i, "shape"),
+              "must be \"disc\" where there is a [fluid], which is plane");
+  }
+  const std::size_t axes = shape == "disc" ? 2 : 3;
+  const std::string all_axes = fmt::format("must have {} entries, as the bodies are {}s", axes, shape);
+  v.require(axes == 3 || scene.gravity.size() == axes, "gravity", all_axes);
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+    const auto& [name, point, normal, material] = scene.walls[i];
+    v.require(point.size() == axes, key_of("walls", i, "point"), all_axes);
+    v.require(normal.size() == axes, key_of("walls", i, "normal"), all_axes);
+    v.require(std::ranges::any_of(normal, [](double n) { return n != 0; }), key_of("walls", i, "normal"),
+              "must not be zero");
+  }
+}
+
+void check_boundaries(const Fluid& fluid, ParameterVisitor& v) {
+  if (!fluid.mesh.file.empty()) return;  // the mesh file names its own; the fluid checks those
+  for (const auto& [name, boundary] : fluid.boundaries) {
+    if (std::ranges::find(rectangle_sides, name) != rectangle_sides.end()) continue;
+    v.require(false, "fluid.boundaries." + name,
+              "is not a side of the rectangle" + hint(name, rectangle_sides));
+  }
+  for (const std::string_view side : rectangle_sides) {
+    v.require(fluid.boundaries.contains(std::string(side)), fmt::format("fluid.boundaries.{}", side),
+              "must have a condition: add a table with its type");
+  }
+}
+
+void check_coefficients(const Scene& scene, ParameterVisitor& v) {
+  if (!scene.coefficients) return;
+  v.require(scene.fluid.has_value(), "coefficients", "must go with a [fluid]");
+  std::vector<std::string> names = names_of(scene.bodies);
+  if (scene.fluid) {
+    for (const auto& [name, boundary] : scene.fluid->boundaries) names.push_back(name);
+  }
+  const auto found = std::ranges::count(names, scene.coefficients->on);
+  if (found == 1) return;
+  v.require(false, "coefficients.on",
+            found > 1 ? "must name either a body or a boundary: both have this name"
+                      : "must name a body or a boundary" + hint(scene.coefficients->on, names));
+}
+
+void check_motion(const Scene& scene, ParameterVisitor& v) {
+  v.require(scene.fluid || scene.moves_freely(), "fluid",
+            "must be there where no body is free: nothing would happen");
+  v.require(!scene.time.steady || !scene.moves_freely(), "time.steady",
+            "must be false where bodies move freely");
+  v.require(!scene.time.steady || scene.fluid, "time.steady", "must go with a [fluid]");
+  const bool can_touch = scene.moves_freely() && (scene.walls.size() > 0 || scene.bodies.size() > 1);
+  v.require(!can_touch || !scene.materials.empty(), "materials",
+            "must have an entry where free bodies can touch walls or each other");
+}
+
+}  // namespace
+
+void check(const Scene& scene, ParameterVisitor& v) {
+  check_names("bodies", scene.bodies, v);
+  check_names("materials", scene.materials, v);
+  check_names("walls", scene.walls, v);
+  check_names("probes", scene.probes, v);
+  check_materials("bodies", scene.bodies, scene, v);
+  check_materials("walls", scene.walls, scene, v);
+  check_dimensions(scene, v);
+  if (scene.fluid) check_boundaries(*scene.fluid, v);
+  check_coefficients(scene, v);
+  check_motion(scene, v);
+  v.require(scene.probes.empty() || scene.fluid, "probes", "must go with a [fluid]");
+}
+
+}  // namespace fpi::scene

@@ -1,0 +1,303 @@
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/expression.hpp"
+#include "scene/document.hpp"
+#include "scene/scene.hpp"
+#include "scene/toml_text.hpp"
+
+namespace fpi::scene {
+namespace {
+
+/// Walks the declarations beside the document. Goes on after a problem, so that every unknown key is found;
+/// of the other problems only the first is told, as the later ones may follow from it.
+class Reader : public ParameterVisitor {
+ public:
+  explicit Reader(const Node& root) { frames_.push_back({&root, root.place, "", {}, true}); }
+
+  /// Throws Error with all unknown keys, or else the first problem of another kind.
+  void finish() {
+    report_unknown_keys();
+    if (!unknown_.empty()) fail("{}", fmt::join(unknown_, "\n"));
+    if (!problem_.empty()) fail("{}", problem_);
+  }
+
+  void real(const Parameter& p, double& value, Bounds bounds) override {
+    if (const Node* node = get(p, number_text(p, bounds))) take_real(p, *node, p.key, value, bounds);
+  }
+  void real(const Parameter& p, std::optional<double>& value, Bounds bounds) override {
+    double number = 0;
+    const Node* node = get(p, number_text(p, bounds));
+    if (node != nullptr && take_real(p, *node, p.key, number, bounds)) value = number;
+  }
+  void integer(const Parameter& p, std::int64_t& value, Bounds bounds) override {
+    const std::string required = join("a whole number", describe(bounds), p.unit);
+    const Node* node = get(p, required);
+    if (node == nullptr) return;
+    const std::int64_t* number = node->as<std::int64_t>();
+    if (number == nullptr || !within(static_cast<double>(*number), bounds))
+      return refuse(p, *node, p.key, required);
+    value = *number;
+  }
+  void boolean(const Parameter& p, bool& value) override { take(p, value, "true or false"); }
+  void text(const Parameter& p, std::string& value) override { take(p, value, "a string in quotes"); }
+  void formula(const Parameter& p, std::string& value) override {
+    if (const Node* node = get(p, "a formula")) take_formula(p, *node, p.key, value);
+  }
+  void choice(const Parameter& p, std::string& value, std::span<const std::string_view> choices) override {
+    const std::string required = "one of " + describe(choices);
+    const Node* node = get(p, required);
+    if (node == nullptr) return;
+    const std::string* word = node->as<std::string>();
+    if (word != nullptr && std::ranges::find(choices, *word) != choices.end()) {
+      value = *word;
+    } else {
+      const std::string near = word == nullptr ? "" : did_you_mean(*word, choices);
+      refuse(p, *node, p.key,
+             near.empty() ? required : fmt::format("{} (did you mean \"{}\"?)", required, near));
+    }
+  }
+
+  void reals(const Parameter& p, std::vector<double>& values, Count count, Bounds bounds) override {
+    take_list(p, values, count, "numbers", [&](const Node& node, const std::string& key, double& value) {
+      return take_real(p, node, key, value, bounds);
+    });
+  }
+  void texts(const Parameter& p, std::vector<std::string>& values, Count count) override {
+    take_list(p, values, count, "strings", [&](const Node& node, const std::string& key, std::string& value) {
+      if (const auto* text = node.as<std::string>()) {
+        value = *text;
+        return true;
+      }
+      refuse(p, node, key, "a string in quotes");
+      return false;
+    });
+  }
+  void formulas(const Parameter& p, std::vector<std::string>& values, Count count) override {
+    take_list(p, values, count, "formulas",
+              [&](const Node& node, const std::string& key, std::string& value) {
+                return take_formula(p, node, key, value);
+              });
+  }
+
+  void require(bool condition, std::string_view key, std::string_view required) override {
+    if (condition || !problem_.empty()) return;
+    const Node* node = frame().table;
+    std::string place = frame().place;
+    for (const std::string& part : split_key(std::string(key))) {
+      node = node == nullptr ? nullptr : node->find(part);
+      if (node != nullptr) place = node->place;
+    }
+    problem_ = fmt::format("{}: {} {}; got {}", place, path(key), required,
+                           node == nullptr ? "nothing" : node->quoted());
+  }
+
+ protected:
+  bool begin_table(const Parameter& p, bool exists) override {
+    const Node* node = find(p);
+    if (node == nullptr && p.required && problem_.empty()) {
+      problem_ = fmt::format("{}: the table [{}] is required; got nothing: add it ({})", frame().place,
+                             path(p.key), p.text);
+    }
+    if (node == nullptr && !exists) return false;
+    enter(p, node, p.key);
+    return true;
+  }
+  std::size_t begin_tables(const Parameter& p, std::size_t) override {
+    const Node* node = find(p);
+    if (node == nullptr) return 0;
+    const auto* list = node->as<Node::List>();
+    if (list != nullptr) return list->size();
+    refuse(p, *node, p.key, fmt::format("tables [[{}]]", path(p.key)));
+    return 0;
+  }
+  void begin_entry(const Parameter& p, std::size_t index) override {
+    const Node& list = *frame().table->find(std::string(p.key));
+    enter(p, &(*list.as<Node::List>())[index], fmt::format("{}.{}", p.key, index));
+  }
+  std::vector<std::string> begin_named(const Parameter& p, const std::vector<std::string>&) override {
+    enter(p, find(p), p.key);
+    frame().any_key = true;
+    std::vector<std::string> names;
+    if (frame().table != nullptr) {
+      for (const auto& [name, node] : *frame().table->as<Node::Table>()) names.push_back(name);
+    }
+    return names;
+  }
+  void begin_name(const Parameter& p, const std::string& name) override {
+    enter(p, frame().table->find(name), name);
+  }
+  void end_table() override {
+    report_unknown_keys();
+    frames_.pop_back();
+  }
+
+ private:
+  struct Frame {
+    const Node* table;  ///< null where the document has no such table
+    std::string place, path;
+    std::vector<std::string> known;  ///< keys declared so far
+    bool any_key = false;            ///< the user names the keys
+  };
+
+  Frame& frame() { return frames_.back(); }
+
+  std::string path(std::string_view key) {
+    return frame().path.empty() ? std::string(key) : fmt::format("{}.{}", frame().path, key);
+  }
+
+  static std::string join(std::string_view what, const std::string& bounds, std::string_view unit) {
+    return fmt::format("{}{}{}{}", what, bounds.empty() ? "" : " " + bounds, unit.empty() ? "" : " ", unit);
+  }
+  static std::string number_text(const Parameter& p, Bounds b) {
+    return join("a finite number", describe(b), p.unit);
+  }
+
+  void enter(const Parameter& p, const Node* node, std::string_view key) {
+    if (node != nullptr && !node->as<Node::Table>()) {
+      refuse(p, *node, key, "a table");
+      node = nullptr;
+    }
+    frames_.push_back({node, node == nullptr ? frame().place : node->place, path(key), {}, false});
+  }
+
+  void report_unknown_keys() {
+    if (frame().table == nullptr || frame().any_key) return;
+    for (const auto& [key, node] : *frame().table->as<Node::Table>()) {
+      if (std::ranges::find(frame().known, key) != frame().known.end()) continue;
+      const std::string near = did_you_mean(key, frame().known);
+      unknown_.push_back(fmt::format("{}: the key \"{}\" is not known; {}", node.place, path(key),
+                                     near.empty()
+                                         ? fmt::format("known here: {}", fmt::join(frame().known, ", "))
+                                         : fmt::format("did you mean \"{}\"?", near)));
+    }
+  }
+
+  void refuse(const Parameter& p, const Node& node, std::string_view key, std::string_view required) {
+    if (!problem_.empty()) return;
+    problem_ = fmt::format("{}: {} must be {}; got {}: correct it ({})", node.place, path(key), required,
+                           node.quoted(), p.text);
+  }
+
+  /// The document's value of p, noting that p is a known key.
+  const Node* find(const Parameter& p) {
+    frame().known.emplace_back(p.key);
+    return frame().table == nullptr ? nullptr : frame().table->find(std::string(p.key));
+  }
+  /// The same; a required one must be there.
+  const Node* get(const Parameter& p, const std::string& required) {
+    const Node* node = find(p);
+    if (node == nullptr && p.required && problem_.empty()) {
+      problem_ = fmt::format("{}: {} is required, {}; got nothing: add {} = … ({})", frame().place,
+                             path(p.key), required, p.key, p.text);
+    }
+    return node;
+  }
+
+  static bool within(double value, const Bounds& b) {
+    return std::isfinite(value) && (b.lower_open ? value > b.lower : value >= b.lower) &&
+           (b.upper_open ? value < b.upper : value <= b.upper);
+  }
+
+  /// toml11 reads a number too large for its type as the largest of the type: refused like infinity.
+  bool take_real(const Parameter& p, const Node& node, std::string_view key, double& value, Bounds bounds) {
+    double number = std::nan("");
+    if (const auto* d = node.as<double>()) number = *d;
+    if (const auto* i = node.as<std::int64_t>()) number = static_cast<double>(*i);
+    const bool saturated = std::abs(number) == std::numeric_limits<double>::max() ||
+                           (node.as<std::int64_t>() && std::abs(number) >= 0x1p63);
+    if (saturated || !within(number, bounds)) {
+      refuse(p, node, key, number_text(p, bounds));
+      return false;
+    }
+    value = number;
+    return true;
+  }
+
+  bool take_formula(const Parameter& p, const Node& node, std::string_view key, std::string& value) {
+    double number = 0;
+    if (!node.as<std::string>()) {
+      if (!take_real(p, node, key, number, any_number())) return false;
+      value = fmt::format("{}", number);
+      return true;
+    }
+    try {
+      value = Expression(*node.as<std::string>()).formula();
+      return true;
+    } catch (const Error& e) {
+      if (problem_.empty()) problem_ = fmt::format("{}: {}: {}", node.place, path(key), e.what());
+      return false;
+    }
+  }
+
+  template <class T>
+  void take(const Parameter& p, T& value, const std::string& required) {
+    const Node* node = get(p, required);
+    if (node == nullptr) return;
+    if (const T* found = node->as<T>()) {
+      value = *found;
+    } else {
+      refuse(p, *node, p.key, required);
+    }
+  }
+
+  template <class T, class Take>
+  void take_list(const Parameter& p, std::vector<T>& values, Count count, std::string_view what,
+                 Take take_entry) {
+    const std::string number = describe(count);
+    const std::string required =
+        join(fmt::format("a list [...] of {}{}{}", number, number.empty() ? "" : " ", what), "", p.unit);
+    const Node* node = get(p, required);
+    if (node == nullptr) return;
+    const auto* list = node->as<Node::List>();
+    if (list == nullptr || list->size() < count.least || list->size() > count.most) {
+      return refuse(p, *node, p.key, required);
+    }
+    std::vector<T> taken(list->size());
+    bool good = true;
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      good = take_entry((*list)[i], fmt::format("{}.{}", p.key, i), taken[i]) && good;
+    }
+    if (good) values = std::move(taken);
+  }
+
+  std::vector<Frame> frames_;
+  std::vector<std::string> unknown_;
+  std::string problem_;
+};
+
+std::string read_bytes(const std::string& path) {
+  constexpr std::streamsize largest = 16 << 20;
+  std::ifstream file(path, std::ios::binary);
+  std::string text(static_cast<std::size_t>(largest) + 1, '\0');
+  file.read(text.data(), largest + 1);
+  fpi::require(file.gcount() > 0 || file.eof(),
+               "a scene file that can be read is required; got {}: check the name and permissions", path);
+  fpi::require(file.gcount() <= largest, "a scene of at most {} bytes is required; got more in {}", largest,
+               path);
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+}  // namespace
+
+Scene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+  const Node root = parse_document(text, name, overrides);
+  Scene scene;
+  Reader reader(root);
+  scene.declare(reader);
+  reader.finish();
+  if (scene.moves_freely() && !scene.dem) scene.dem.emplace();
+  return scene;
+}
+
+Scene read_file(const std::string& path, const std::vector<std::string>& overrides) {
+  return read_text(read_bytes(path), path, overrides);
+}
+
+}  // namespace fpi::scene

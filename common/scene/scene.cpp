@@ -1,0 +1,67 @@
+#include "scene/scene.hpp"
+
+#include <algorithm>
+
+#include "scene/checks.hpp"
+
+namespace fpi::scene {
+
+/// Plain keys first: in TOML whatever follows a table's header belongs to that table.
+void Scene::declare(ParameterVisitor& v) {
+  v.text({"title", "", "one line that says what the scene shows"}, title);
+  v.text({"source", "", "where the set-up comes from"}, source);
+  v.text({"expected", "", "what should come out, and who says so"}, expected);
+  v.reals({"gravity", "m/s²", "g: two entries in a plane scene, three in space"}, gravity, {2, 3},
+          any_number());
+  v.real({"thickness", "m", "thickness of a plane scene; masses and forces are those of this slice"},
+         thickness, positive());
+  v.real({"hydraulic_radius_ratio", "",
+          "radius that the fluid sees over the contact radius; below 1 touching discs let fluid through"},
+         hydraulic_radius_ratio, above_up_to(0, 1));
+  v.table({"time", "", "the time steps", true}, time);
+  v.table({"fluid", "", "the flow; without it the grains are dry and no fluid program is started"}, fluid);
+  v.table({"dem", "", "how the grains' motion is integrated"}, dem);
+  v.tables({"bodies", "", "discs (plane) or spheres (space), one table each"}, bodies);
+  v.tables({"materials", "", "what bodies and walls are made of, for their contacts"}, materials);
+  v.tables({"walls", "", "planes that stop the grains; the fluid does not see them"}, walls);
+  v.table({"coupling", "", "the implicit staggered iteration of each time step"}, coupling);
+  v.table({"output", "", "what is written, and how often"}, output);
+  v.table({"coefficients", "", "drag and lift coefficients c = 2F/(ρ U² L) of a body or a boundary"},
+          coefficients);
+  v.tables({"probes", "", "values at points, written with every step"}, probes);
+  check(*this, v);
+}
+
+bool Scene::moves_freely() const {
+  return std::ranges::any_of(bodies, [](const Body& body) { return body.is_free(); });
+}
+
+bool Scene::moves() const {
+  return std::ranges::any_of(bodies, [](const Body& body) { return body.motion != "fixed"; });
+}
+
+std::string part_for(Part part, const Scene& scene) {
+  Scene p = scene;  // materials stay on both sides, so that the bodies' references to them hold
+  p.coupling = {};
+  p.output = {};
+  if (part == Part::fluid) {
+    p.dem.reset();
+    p.walls.clear();
+  } else {
+    p.fluid.reset();
+    p.coefficients.reset();
+    p.probes.clear();
+  }
+  return write_text(p);
+}
+
+std::uint64_t fingerprint(const Scene& scene) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const char c : write_text(scene)) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 1099511628211u;
+  }
+  return hash;
+}
+
+}  // namespace fpi::scene
