@@ -1,0 +1,46 @@
+#include "output/body_writer.hpp"
+
+#include <utility>
+
+namespace fpi::output {
+namespace {
+
+constexpr std::array<std::pair<const char*, std::array<double, 3> BodyRow::*>, 5> columns{
+    {{"/position", &BodyRow::position},
+     {"/velocity", &BodyRow::velocity},
+     {"/spin", &BodyRow::spin},
+     {"/force", &BodyRow::force},
+     {"/torque", &BodyRow::torque}}};
+
+std::string file_in(const std::string& folder) { return folder + "/bodies.h5"; }
+
+}  // namespace
+
+BodyWriter::BodyWriter(const std::string& folder, const std::vector<std::string>& names,
+                       const std::vector<double>& radii)
+    : file_(H5File::create(file_in(folder))) {
+  file_.write("/name", names);
+  file_.write("/radius", radii, {radii.size()});
+}
+
+BodyWriter::BodyWriter(const std::string& folder, std::size_t kept)
+    : file_(H5File::edit(file_in(folder))), rows_(kept) {
+  if (!file_.has("/time")) return;
+  file_.keep_rows("/time", kept);
+  for (const auto& [name, member] : columns) file_.keep_rows(name, kept);
+}
+
+void BodyWriter::append(double time, std::span<const BodyRow> bodies) {
+  file_.append("/time", std::span(&time, 1), {});
+  std::vector<double> values;
+  for (const auto& [name, member] : columns) {
+    values.clear();
+    for (const BodyRow& body : bodies)
+      values.insert(values.end(), (body.*member).begin(), (body.*member).end());
+    file_.append(name, values, {bodies.size(), 3});
+  }
+  file_.flush();
+  ++rows_;
+}
+
+}  // namespace fpi::output

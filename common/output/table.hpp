@@ -1,0 +1,31 @@
+/// A table of numbers as text, a line a step (history.csv). Every line is handed to the operating system at
+/// once.
+#pragma once
+
+#include <fstream>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fpi::output {
+
+class Table {
+ public:
+  /// A new table.
+  Table(const std::string& path, const std::vector<std::string>& columns);
+  /// Continues the table at `path` after its first `kept` lines of numbers; throws Error where it has fewer.
+  Table(const std::string& path, std::size_t kept);
+
+  /// One line; numbers are written so that reading them gives the same bits.
+  void append(std::span<const double> values);
+  std::size_t size() const { return rows_; }
+
+ private:
+  void write_line(const std::string& line);
+
+  std::string path_;
+  std::ofstream file_;
+  std::size_t rows_ = 0;
+};
+
+}  // namespace fpi::output

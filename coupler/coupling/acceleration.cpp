@@ -1,0 +1,14 @@
+#include "coupling/acceleration.hpp"
+
+#include "coupling/aitken.hpp"
+#include "coupling/constant_relaxation.hpp"
+
+namespace fpi::coupling {
+
+std::unique_ptr<Acceleration> make_acceleration(const scene::Coupling& parameters) {
+  if (parameters.acceleration == "constant")
+    return std::make_unique<ConstantRelaxation>(parameters.relaxation);
+  return std::make_unique<Aitken>(parameters.relaxation);
+}
+
+}  // namespace fpi::coupling

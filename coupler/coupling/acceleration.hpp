@@ -1,0 +1,31 @@
+/// How the next iterate of a step is found from the last and its residual. Iterates are scaled by inertia, so
+/// that an acceleration sees plain vectors and nothing of bodies; others (IQN, a response operator) are
+/// further subclasses.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "scene/coupling.hpp"
+
+namespace fpi::coupling {
+
+/// Order of calls: begin_step, then next after each sub-iteration but the last, then accept or reject.
+class Acceleration {
+ public:
+  virtual ~Acceleration() = default;
+  virtual void begin_step() {}
+  /// The next iterate, from x and r = H(x) − x.
+  virtual Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& residual) = 0;
+  virtual void accept() {}
+  virtual void reject() {}
+  /// What the following steps depend on, for a checkpoint taken between steps.
+  virtual std::vector<double> state() const { return {}; }
+  virtual void set_state(std::span<const double>) {}
+};
+
+std::unique_ptr<Acceleration> make_acceleration(const scene::Coupling& parameters);
+
+}  // namespace fpi::coupling

@@ -1,0 +1,58 @@
+#include "coupling/rigid_dofs.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace fpi::coupling {
+
+RigidDofs::RigidDofs(std::span<const scene::Body> bodies, double thickness) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].is_free()) bodies_.push_back(i);
+  }
+  inertia_root_.resize(3 * static_cast<Eigen::Index>(bodies_.size()));
+  lever_.resize(inertia_root_.size());
+  Eigen::Index k = 0;
+  for (const std::size_t i : bodies_) {
+    const scene::Body& body = bodies[i];
+    require(body.shape == "disc", "a plane fluid takes discs only; body \"{}\" is a {}", body.name,
+            body.shape);
+    const double mass = body.density * body.volume(body.radius, thickness);
+    require(mass > 0, "a free body needs a density > 0 kg/m³; body \"{}\" has {}", body.name, body.density);
+    const double root = std::sqrt(mass), spin_root = body.radius * std::sqrt(0.5 * mass);
+    inertia_root_.segment<3>(k) << root, root, spin_root;
+    lever_.segment<3>(k) << 1, 1, body.radius;
+    k += 3;
+  }
+}
+
+Eigen::VectorXd RigidDofs::velocities(std::span<const RigidMotion> motions) const {
+  Eigen::VectorXd x(size());
+  Eigen::Index k = 0;
+  for (const std::size_t i : bodies_) {
+    x.segment<3>(k) << motions[i].velocity.x(), motions[i].velocity.y(), motions[i].spin.z();
+    k += 3;
+  }
+  return x;
+}
+
+Eigen::VectorXd RigidDofs::loads(std::span<const RigidLoad> loads) const {
+  Eigen::VectorXd f(size());
+  Eigen::Index k = 0;
+  for (const std::size_t i : bodies_) {
+    f.segment<3>(k) << loads[i].force.x(), loads[i].force.y(), loads[i].torque.z();
+    k += 3;
+  }
+  return f;
+}
+
+void RigidDofs::set_velocities(const Eigen::VectorXd& velocities, std::span<RigidMotion> motions) const {
+  Eigen::Index k = 0;
+  for (const std::size_t i : bodies_) {
+    motions[i].velocity = {velocities[k], velocities[k + 1], 0};
+    motions[i].spin = {0, 0, velocities[k + 2]};
+    k += 3;
+  }
+}
+
+}  // namespace fpi::coupling

@@ -1,0 +1,54 @@
+/// All arithmetic of time: the size of the next step, what happens to it when a step fails or succeeds, and
+/// how the end and the output times are hit to the bit without a tiny step before them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace fpi::coupling {
+
+/// The way to the next output time (or the end) is divided into equal steps, none larger than the step in
+/// force.
+class TimeWindow {
+ public:
+  static constexpr int successes_to_regrow = 5;  ///< accepted steps before a halved step is doubled again
+
+  /// `output_interval` [s]; 0: none.
+  TimeWindow(const scene::Time& time, double output_interval);
+
+  bool done() const { return start() >= end_; }
+  double start() const { return time_after(taken_); }    ///< [s] where the next step begins
+  double end() const { return time_after(taken_ + 1); }  ///< [s] where it ends
+  double step() const { return step_; }  ///< [s] its size; the same bits for all steps to a target
+  bool ends_at_output() const { return taken_ + 1 == count_; }
+  std::int64_t steps_left() const;  ///< an estimate
+
+  /// The step was accepted.
+  void accept();
+  /// The step did not converge: it is halved. False where it was halved as often as allowed.
+  bool halve();
+
+  std::vector<double> state() const;
+  void set_state(std::span<const double> state);
+
+ private:
+  void plan(double from);
+  double next_target(double from) const;
+  double time_after(std::int64_t steps) const {
+    return steps == count_ ? target_ : anchor_ + static_cast<double>(steps) * step_;
+  }
+
+  double nominal_, end_, interval_;
+  int max_halvings_;
+  double largest_;     ///< [s] step in force
+  int halvings_ = 0;   ///< that are in force
+  int successes_ = 0;  ///< since the last halving or doubling
+  // count_ steps of size step_ from anchor_ to target_, of which taken_ are done
+  double anchor_ = 0, target_ = 0, step_ = 0;
+  std::int64_t taken_ = 0, count_ = 0;
+};
+
+}  // namespace fpi::coupling
