@@ -18,7 +18,7 @@ namespace {
 /// of the other problems only the first is told, as the later ones may follow from it.
 class Reader : public ParameterVisitor {
  public:
-  explicit Reader(const Node& root) { frames_.push_back({&root, root.place, "", {}, true}); }
+  explicit Reader(const Node& root) { frames_.push_back({&root, root.place, "", {}, false}); }
 
   /// Throws Error with all unknown keys, or else the first problem of another kind.
   void finish() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/hash.hpp"
 #include "scene/checks.hpp"
 
 namespace fpi::scene {
@@ -55,13 +56,6 @@ std::string part_for(Part part, const Scene& scene) {
   return write_text(p);
 }
 
-std::uint64_t fingerprint(const Scene& scene) {
-  std::uint64_t hash = 14695981039346656037u;
-  for (const char c : write_text(scene)) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 1099511628211u;
-  }
-  return hash;
-}
+std::uint64_t fingerprint(const Scene& scene) { return fnv1a(write_text(scene)); }
 
 }  // namespace fpi::scene

@@ -1,0 +1,95 @@
+/// Conditions between the keys of a scene, and their wording.
+#include <gtest/gtest.h>
+
+#include "scenes.hpp"
+
+namespace fpi::scene {
+namespace {
+
+struct Case {
+  const char* name;
+  std::string text, message;
+};
+
+void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+
+class Checks : public testing::TestWithParam<Case> {};
+
+TEST_P(Checks, says_what_does_not_hold) { EXPECT_EQ(error_of(GetParam().text), GetParam().message); }
+
+const std::string second_body = "[[bodies]]\nname = \"disc\"\nradius = 1\ndensity = 1\nposition = [1, 1]\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Scene, Checks,
+    testing::Values(
+        Case{"unique_names", settling + second_body,
+             "drop.toml:39: bodies.1.name must be unique among [[bodies]]; got \"disc\""},
+        Case{"plain_names", with(settling, "name = \"disc\"", "name = \"a,b\""),
+             "drop.toml:25: bodies.0.name must be a word of letters a-z, digits, _ and -; got \"a,b\""},
+        Case{"known_material", with(settling, "radius =", "material = \"stel\"\nradius ="),
+             "drop.toml:26: bodies.0.material must name one of [[materials]] (did you mean \"steel\"?); got "
+             "\"stel\""},
+        Case{"known_wall_material", settling + "material = \"glass\"\n",
+             "drop.toml:38: walls.0.material must name one of [[materials]] (steel); got \"glass\""},
+        Case{"plane_fluid",
+             with(with(settling, "[0.01, 0.04]", "[0.01, 0.04, 0]"),
+                  "radius =", "shape = \"sphere\"\nradius ="),
+             "drop.toml:26: bodies.0.shape must be \"disc\" where there is a [fluid], which is plane; got "
+             "\"sphere\""},
+        Case{"plane_gravity", with(settling, "[0, -9.81]", "[0, -9.81, 0]"),
+             "drop.toml:2: gravity must have 2 entries, as the bodies are discs; got [0, -9.81, 0]"},
+        Case{"plane_wall", with(settling, "normal = [0, 1]", "normal = [0, 1, 0]"),
+             "drop.toml:37: walls.0.normal must have 2 entries, as the bodies are discs; got [0, 1, 0]"},
+        Case{"wall_normal", with(settling, "normal = [0, 1]", "normal = [0, 0]"),
+             "drop.toml:37: walls.0.normal must not be zero; got [0, 0]"},
+        Case{"every_side", with(settling, "top.type = \"no_slip\"\n", ""),
+             "drop.toml:18: fluid.boundaries.top must have a condition: add a table with its type; got "
+             "nothing"},
+        Case{"known_side", with(settling, "top.type", "topp.type"),
+             "drop.toml:22: fluid.boundaries.topp is not a side of the rectangle (did you mean \"top\"?); "
+             "got a "
+             "table"},
+        Case{"coefficients_on", settling + "[coefficients]\non = \"disk\"\nvelocity = 1\nlength = 1\n",
+             "drop.toml:39: coefficients.on must name a body or a boundary (did you mean \"disc\"?); got "
+             "\"disk\""},
+        Case{"free_body_density", with(settling, "density = 1250\n", ""),
+             "drop.toml:24: bodies.0.density must be > 0 kg/m³ for a body that moves freely (motion = "
+             "\"free\"); got nothing"},
+        Case{"contact_needs_material",
+             with(settling, "[[materials]]\nname = \"steel\"\nyoungs_modulus = 1e6\n", ""),
+             "drop.toml:1: materials must have an entry where free bodies can touch walls or each other; got "
+             "nothing"},
+        Case{"steady_free_body", with(settling, "[time]\n", "[time]\nsteady = true\n"),
+             "drop.toml:5: time.steady must be false where bodies move freely; got true"},
+        Case{"nothing_to_do", "[time]\nstep = 1\nend = 1\n",
+             "drop.toml:1: fluid must be there where no body is free: nothing would happen; got nothing"},
+        Case{"hydraulic_radius", "hydraulic_radius_ratio = 1.5\n" + settling,
+             "drop.toml:1: hydraulic_radius_ratio must be a finite number in (0, 1]; got 1.5: correct it "
+             "(radius "
+             "that the fluid sees over the contact radius; below 1 touching discs let fluid through)"},
+        Case{"one_viscosity", with(settling, "density = 1000", "density = 1000\ndynamic_viscosity = 1"),
+             "drop.toml:10: fluid.dynamic_viscosity must be given, or kinematic_viscosity, and not both; got "
+             "1"},
+        Case{"time_step", with(settling, "step = 0.001\n", ""),
+             "drop.toml:4: time.step must be > 0 s (or steady = true); got nothing"},
+        Case{
+            "mesh_or_rectangle", with(settling, "lower = [0, 0]\n", ""),
+            "drop.toml:12: fluid.mesh.lower must name a mesh, or else lower = [x, y] and upper = [x, y] must "
+            "give the corners of a rectangle; got nothing"},
+        Case{"velocity_of_its_type",
+             with(settling, "top.type = \"no_slip\"", "top = {type = \"no_slip\", velocity = [1, 0]}"),
+             "drop.toml:22: fluid.boundaries.top.velocity goes with type = \"velocity\" only; got [1, 0]"},
+        Case{"prescribed_velocity", with(settling, "radius =", "motion = \"prescribed\"\nradius ="),
+             "drop.toml:24: bodies.0.prescribed_velocity must have a formula for each axis where motion = "
+             "\"prescribed\"; got nothing"},
+        Case{"dry_probe",
+             with(with(settling,
+                       settling.substr(settling.find("[fluid]"),
+                                       settling.find("[[bodies]]") - settling.find("[fluid]")),
+                       ""),
+                  "[time]", "[[probes]]\nname = \"p\"\npoint = [0, 0]\n\n[time]"),
+             "drop.toml:4: probes must go with a [fluid]; got [a table]"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+}  // namespace
+}  // namespace fpi::scene

@@ -1,0 +1,178 @@
+/// Reading a scene: values, defaults, and the wording of each kind of error.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "scenes.hpp"
+
+namespace fpi::scene {
+namespace {
+
+TEST(Reader, reads_values_and_fills_in_defaults) {
+  const Scene s = read_text(settling, "drop.toml");
+  EXPECT_EQ(s.gravity, (std::vector<double>{0, -9.81}));
+  EXPECT_EQ(s.fluid->density, 1000);
+  EXPECT_DOUBLE_EQ(s.fluid->viscosity(), 1e-2);
+  EXPECT_EQ(s.fluid->boundaries.at("top").type, "no_slip");
+  EXPECT_EQ(s.bodies.at(0).velocity, (std::vector<double>{0, 0}));
+  EXPECT_EQ(s.coupling.acceleration, "aitken");
+  EXPECT_TRUE(s.dem) << "a free body brings [dem] with its defaults";
+  EXPECT_TRUE(s.moves_freely());
+  EXPECT_FALSE(s.coefficients);
+}
+
+TEST(Reader, takes_whole_numbers_for_reals_and_numbers_for_formulas) {
+  const Scene s = read_text(
+      with(settling, "top.type = \"no_slip\"", "top = {type = \"velocity\", velocity = [1, \"x*t\"]}"),
+      "drop.toml");
+  EXPECT_EQ(s.time.end, 1.0);
+  EXPECT_EQ(s.fluid->boundaries.at("top").velocity, (std::vector<std::string>{"1", "x*t"}));
+}
+
+TEST(Reader, gives_a_sphere_three_components) {
+  const Scene s = read_text(R"(
+gravity = [0, 0, -9.81]
+[time]
+step = 1e-3
+end = 1
+[[bodies]]
+name = "ball"
+shape = "sphere"
+radius = 1
+density = 1
+position = [0, 0, 5]
+)",
+                            "ball.toml");
+  EXPECT_EQ(s.bodies[0].velocity.size(), 3u);
+  EXPECT_EQ(s.bodies[0].spin.size(), 3u);
+}
+
+TEST(Reader, finds_every_unknown_key_and_suggests_the_near_ones) {
+  const std::string text =
+      with(with(settling, "density = 1000", "densty = 1000"), "[fluid.mesh]", "[fluid.mehs]");
+  EXPECT_EQ(
+      error_of(text + "colour = \"red\"\n"),
+      "drop.toml:9: the key \"fluid.densty\" is not known; did you mean \"density\"?\n"
+      "drop.toml:12: the key \"fluid.mehs\" is not known; did you mean \"mesh\"?\n"
+      "drop.toml:38: the key \"walls.0.colour\" is not known; known here: name, point, normal, material");
+}
+
+TEST(Reader, finds_an_unknown_table) {
+  EXPECT_EQ(error_of(settling + "[outptu]\n"),
+            "drop.toml:38: the key \"outptu\" is not known; did you mean \"output\"?");
+}
+
+TEST(Reader, says_bounds_unit_and_what_came) {
+  EXPECT_EQ(
+      error_of(with(settling, "density = 1000", "density = -1")),
+      "drop.toml:9: fluid.density must be a finite number > 0 kg/m³; got -1: correct it (fluid density ρ)");
+}
+
+TEST(Reader, refuses_numbers_that_are_not_finite_or_too_large) {
+  for (const char* number : {"nan", "inf", "-inf", "1e999", "99999999999999999999"}) {
+    EXPECT_NE(error_of(with(settling, "end = 1", std::string("end = ") + number))
+                  .find("drop.toml:6: time.end must be a finite number ≥ 0 s"),
+              std::string::npos)
+        << number << ": " << error_of(with(settling, "end = 1", std::string("end = ") + number));
+  }
+}
+
+TEST(Reader, says_what_a_missing_key_would_be) {
+  EXPECT_EQ(error_of(with(settling, "density = 1000\n", "")),
+            "drop.toml:8: fluid.density is required, a finite number > 0 kg/m³; got nothing: add density = … "
+            "(fluid density ρ)");
+}
+
+TEST(Reader, refuses_the_wrong_type_and_quotes_what_came) {
+  EXPECT_EQ(error_of(with(settling, "density = 1000", "density = \"water\"")),
+            "drop.toml:9: fluid.density must be a finite number > 0 kg/m³; got \"water\": correct it (fluid "
+            "density ρ)");
+  EXPECT_NE(error_of(with(settling, "cells_x = 4", "cells_x = 4.5"))
+                .find("must be a whole number in [0, 100000]; got 4.5"),
+            std::string::npos);
+  EXPECT_NE(error_of(with(settling, "title = \"a disc settles\"", "title = 1979-05-27")).find("got a date"),
+            std::string::npos);
+  EXPECT_NE(error_of(with(settling, "[time]\nstep = 0.001\nend = 1\n", "time = 3\n"))
+                .find("time must be a table; got 3"),
+            std::string::npos);
+  EXPECT_NE(error_of("bodies = 3\n[time]\nstep = 1\nend = 1\n")
+                .find("drop.toml:1: bodies must be tables [[bodies]]; got 3"),
+            std::string::npos);
+}
+
+TEST(Reader, suggests_the_near_choice) {
+  EXPECT_EQ(error_of(settling + "[coupling]\nacceleration = \"aitkn\"\n"),
+            "drop.toml:39: coupling.acceleration must be one of \"constant\", \"aitken\" (did you mean "
+            "\"aitken\"?); got \"aitkn\": correct it (how the next interface velocity is found: constant or "
+            "Aitken's relaxation)");
+}
+
+TEST(Reader, checks_the_length_and_the_entries_of_a_list) {
+  EXPECT_NE(error_of(with(settling, "position = [0.01, 0.04]", "position = [0.01]"))
+                .find("drop.toml:28: bodies.0.position must be a list [...] of 2 numbers m; got [0.01]"),
+            std::string::npos);
+  EXPECT_NE(error_of(with(settling, "position = [0.01, 0.04]", "position = [0.01, nan]"))
+                .find("bodies.0.position.1"),
+            std::string::npos);
+}
+
+TEST(Reader, reads_formulas_when_it_reads_the_scene) {
+  const std::string text =
+      with(settling, "top.type = \"no_slip\"", "top = {type = \"velocity\", velocity = [\"4*z\", 0]}");
+  EXPECT_NE(error_of(text).find("drop.toml:22: fluid.boundaries.top.velocity.0: a formula in x, y, t"),
+            std::string::npos)
+      << error_of(text);
+}
+
+TEST(Reader, turns_a_syntax_error_into_a_sentence_with_its_line) {
+  const std::string message = error_of(with(settling, "step = 0.001", "step = = 0.001"));
+  EXPECT_EQ(message.find("drop.toml:5: valid TOML is required"), 0u) << message;
+}
+
+TEST(Reader, refuses_hostile_nesting_without_exhausting_the_stack) {
+  EXPECT_NE(error_of("a = " + std::string(200000, '[')).find("nested"), std::string::npos);
+  std::string dotted = "a";
+  for (int i = 0; i < 100000; ++i) dotted += ".a";
+  EXPECT_NE(error_of(dotted + " = 1").find("nested"), std::string::npos);
+  std::string hidden = "a = [";
+  for (int i = 0; i < 1000; ++i) hidden += "\"\"\"\n]\"\"\", [";
+  EXPECT_NE(error_of(hidden).find("nested"), std::string::npos);
+}
+
+TEST(Reader, accepts_many_brackets_side_by_side) {
+  std::string text = settling;
+  for (int i = 0; i < 100; ++i) {
+    text +=
+        fmt::format("[[bodies]]\nname = \"b{}\"\nradius = 1\ndensity = 1\nposition = [0.5, {}.5]\n", i, i);
+  }
+  EXPECT_EQ(read_text(text, "many.toml").bodies.size(), 101u);
+}
+
+TEST(Reader, says_which_file_cannot_be_read) {
+  for (const std::string path : {"no/such/scene.toml", "/"}) {
+    try {
+      read_file(path);
+      FAIL() << "read " << path;
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("a scene file that can be read is required; got " + path),
+                std::string::npos)
+          << e.what();
+    }
+  }
+}
+
+TEST(Reader, names_the_file_in_its_errors) {
+  const std::string path = testing::TempDir() + "fpi_reader_test.toml";
+  std::ofstream(path) << with(settling, "density = 1000", "density = 0");
+  try {
+    read_file(path);
+    FAIL() << "read";
+  } catch (const Error& e) {
+    EXPECT_EQ(std::string(e.what()).find(path + ":9: fluid.density"), 0u) << e.what();
+  }
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace fpi::scene
