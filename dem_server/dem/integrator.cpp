@@ -1,0 +1,183 @@
+#include "dem/integrator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fpi::dem {
+namespace {
+
+constexpr double worth_flying = 4;      ///< sub-steps that a flight must save
+constexpr double most_sub_steps = 1e9;  ///< in one step of the coupling
+
+class Integration {
+ public:
+  Integration(const Model& model, const Forces& loads, State& state)
+      : model_(model),
+        loads_(loads),
+        motions_(state.motions),
+        neighbours_(state.neighbours),
+        forces_(loads),
+        velocity_now_(motions_.velocity),
+        spin_now_(motions_.spin) {
+    if (neighbours_.origin.empty()) search_neighbours();
+  }
+
+  Advanced run(double duration) {
+    for (left_ = duration; left_ > 0 && outcome_.converged;) {
+      const Outlook ahead = look_ahead(model_, motions_, loads_, neighbours_, left_);
+      if (std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step) {
+        fly(ahead.free_time);
+      } else {
+        take_sub_steps(ahead.contact_step);
+      }
+      check_finite();
+    }
+    for (Orientation& orientation : motions_.orientation) orientation.settle();
+    return outcome_;
+  }
+
+ private:
+  /// One step through free space, as far as nothing can touch and the search for neighbours holds.
+  void fly(double free_time) {
+    const double wanted = std::min({left_, free_time, model_.largest_sub_step});
+    const double within_skin = time_within_skin(model_, motions_, loads_, neighbours_);
+    if (within_skin < wanted && neighbours_.origin != motions_.position) return search_neighbours();
+    const double duration = std::min(wanted, within_skin);
+    forces_ = loads_;
+    forces_stand_ = false;
+    kick(0.5 * duration);
+    drift(duration);
+    kick(0.5 * duration);
+    left_ -= duration;
+    ++outcome_.sub_steps;
+    outcome_.contacts = 0;
+  }
+
+  /// About one contact time of sub-steps, or what is left; ends early where a search finds new neighbours.
+  void take_sub_steps(double contact_step) {
+    const double wanted = std::ceil(left_ / std::min({left_, contact_step, model_.largest_sub_step}));
+    if (!(static_cast<double>(outcome_.sub_steps) + wanted < most_sub_steps)) {
+      return stop(fmt::format(
+          "at most {:g} sub-steps a step are allowed; the contacts need {:g} for the {} s that are "
+          "left: take a shorter time step or a smaller youngs_modulus",
+          most_sub_steps, wanted, left_));
+    }
+    const double dt = left_ / wanted;
+    if (!forces_stand_) find_forces_at_start(dt);
+    const double batch = std::min(wanted, std::ceil(model_.steps_per_contact));
+    const std::uint64_t searches = outcome_.searches;
+    double taken = 0;
+    while (taken < batch && outcome_.converged && outcome_.searches == searches) {
+      sub_step(dt);
+      ++taken;
+    }
+    left_ = taken < wanted ? left_ - taken * dt : 0;
+  }
+
+  void sub_step(double dt) {
+    kick(0.5 * dt);
+    drift(dt);
+    if (moved_beyond_skin()) search_neighbours();
+    extrapolate(0.5 * dt);
+    find_forces(dt, dt);
+    kick(0.5 * dt);
+    ++outcome_.sub_steps;
+  }
+
+  void kick(double duration) {
+    for (std::size_t i = 0; i < motions_.velocity.size(); ++i) {
+      motions_.velocity[i] += duration * model_.bodies.inverse_mass[i] * forces_.force[i];
+      motions_.spin[i] += duration * model_.bodies.inverse_inertia[i] * forces_.torque[i];
+    }
+  }
+
+  void drift(double duration) {
+    for (std::size_t i = 0; i < motions_.position.size(); ++i) {
+      motions_.position[i] += duration * motions_.velocity[i];
+      motions_.orientation[i].turn(duration * motions_.spin[i]);
+    }
+  }
+
+  /// Velocities after the second half of a sub-step as the forces of its first half would have them: with
+  /// these the dashpots keep the order 2.
+  void extrapolate(double duration) {
+    for (std::size_t i = 0; i < motions_.velocity.size(); ++i) {
+      velocity_now_[i] = motions_.velocity[i] + duration * model_.bodies.inverse_mass[i] * forces_.force[i];
+      spin_now_[i] = motions_.spin[i] + duration * model_.bodies.inverse_inertia[i] * forces_.torque[i];
+    }
+  }
+
+  void find_forces_at_start(double dt) {
+    velocity_now_ = motions_.velocity;
+    spin_now_ = motions_.spin;
+    find_forces(0, dt);
+  }
+
+  void find_forces(double stretch_time, double dt) {
+    forces_ = loads_;
+    const Velocities velocities{motions_.velocity, motions_.spin, velocity_now_, spin_now_};
+    const ContactCount count =
+        add_contacts(model_, motions_.position, velocities, stretch_time, dt, neighbours_, forces_);
+    forces_stand_ = true;
+    outcome_.contacts = count.touching;
+    outcome_.largest_overlap = std::max(outcome_.largest_overlap, count.largest_overlap);
+    if (count.too_deep) {
+      stop(fmt::format(
+          "{} overlap by more than a radius: take a shorter time step, or a larger youngs_modulus",
+          names(model_, *count.too_deep)));
+    }
+  }
+
+  bool moved_beyond_skin() const {
+    const double allowed = 0.25 * neighbours_.skin * neighbours_.skin;
+    for (std::size_t i = 0; i < motions_.position.size(); ++i) {
+      // Written so that a position that is not a number counts as moved.
+      if (!((motions_.position[i] - neighbours_.origin[i]).squaredNorm() <= allowed)) return true;
+    }
+    return false;
+  }
+
+  void search_neighbours() {
+    check_finite();
+    if (!outcome_.converged) return;
+    search(model_, motions_.position, neighbours_);
+    ++outcome_.searches;
+  }
+
+  void check_finite() {
+    for (std::size_t i = 0; i < motions_.position.size() && outcome_.converged; ++i) {
+      const double sum = motions_.position[i].squaredNorm() + motions_.velocity[i].squaredNorm() +
+                         motions_.spin[i].squaredNorm();
+      if (!std::isfinite(sum)) {
+        stop(fmt::format(
+            "body {} has a position, velocity or spin that is not finite: take a shorter time step",
+            model_.bodies.name[i]));
+      }
+    }
+  }
+
+  void stop(std::string reason) {
+    outcome_.converged = false;
+    outcome_.reason = std::move(reason);
+  }
+
+  const Model& model_;
+  const Forces& loads_;
+  Motions& motions_;
+  Neighbours& neighbours_;
+  Forces forces_;
+  std::vector<Vec3> velocity_now_, spin_now_;
+  bool forces_stand_ = false;  ///< forces_ are those of the current motions
+  double left_ = 0;            ///< [s] of the step
+  Advanced outcome_;
+};
+
+}  // namespace
+
+Advanced integrate(const Model& model, const Forces& loads, double duration, State& state) {
+  return Integration(model, loads, state).run(duration);
+}
+
+}  // namespace fpi::dem

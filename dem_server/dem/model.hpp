@@ -1,0 +1,71 @@
+/// What does not change during a run: the bodies' properties, the walls, the contact laws, gravity; and the
+/// motions that the bodies have. A structure of arrays, indexed as the scene's [[bodies]].
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dem/contact_law.hpp"
+#include "dem/rotation.hpp"
+#include "scene/bodies.hpp"
+#include "scene/dem.hpp"
+
+namespace fpi::dem {
+
+/// The DEM's part of a scene.
+struct Setup {
+  Vec3 gravity = Vec3::Zero();  ///< [m/s²]
+  double thickness = 1;         ///< of a plane scene [m]
+  scene::Dem dem;
+  std::vector<scene::Body> bodies;
+  std::vector<scene::Material> materials;
+  std::vector<scene::Wall> walls;
+};
+
+/// A plane wall: grains are where normal·x > offset.
+struct Plane {
+  std::string name;
+  Vec3 normal;    ///< unit vector
+  double offset;  ///< [m]
+  std::size_t material;
+};
+
+/// Properties; a body that is not free has infinite mass, so that no force moves it.
+struct Bodies {
+  std::vector<std::string> name;
+  std::vector<double> radius;           ///< R [m]
+  std::vector<double> mass;             ///< [kg]
+  std::vector<double> inverse_mass;     ///< [1/kg], 0 where not free
+  std::vector<double> inverse_inertia;  ///< [1/(kg m²)], 0 where not free
+  std::vector<std::size_t> material;
+  std::size_t size() const { return radius.size(); }
+  bool is_free(std::size_t i) const { return inverse_mass[i] > 0; }
+};
+
+/// Motion of every body.
+struct Motions {
+  std::vector<Vec3> position;  ///< [m]
+  std::vector<Vec3> velocity;  ///< [m/s]
+  std::vector<Vec3> spin;      ///< [rad/s]
+  std::vector<Orientation> orientation;
+};
+
+struct Model {
+  bool plane = false;           ///< discs: they move in x, y and spin about z
+  Vec3 gravity = Vec3::Zero();  ///< [m/s²]
+  double steps_per_contact = 50;
+  double largest_sub_step = 0;  ///< [s]; infinite where the scene sets none
+  Bodies bodies;
+  std::vector<Plane> walls;
+  LawTable laws{{}};
+};
+
+/// Throws Error naming the body, wall or material at fault: names twice, an unknown material, a free body
+/// without mass, discs among spheres or moving out of their plane, numbers that are not finite.
+Model make_model(const Setup& setup);
+
+/// The motions at the start. Throws Error naming a body whose numbers are not finite.
+Motions initial_motions(const Setup& setup);
+
+}  // namespace fpi::dem

@@ -1,0 +1,104 @@
+#include "dem/solver.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace fpi::dem {
+namespace {
+
+constexpr double allowed_overlap = 0.01;  ///< at the start, of a radius
+
+void check_overlaps(const Model& model, const State& state) {
+  for (const Pair& pair : state.neighbours.pairs) {
+    const double gap = separation(model, state.motions.position, pair).gap;
+    require(gap > -allowed_overlap * model.bodies.radius[pair.a],
+            "bodies must not overlap at the start; got {} m between {}: move one of them", -gap,
+            names(model, pair));
+  }
+}
+
+void check_body(const Model& model, std::uint32_t body, const char* what) {
+  require(body < model.bodies.size(), "a {} must be of one of {} bodies; got number {}", what,
+          model.bodies.size(), body);
+}
+
+}  // namespace
+
+Solver::Solver(const Setup& setup) : model_(make_model(setup)) {
+  accepted_.motions = initial_motions(setup);
+  search(model_, accepted_.motions.position, accepted_.neighbours);
+  check_overlaps(model_, accepted_);
+  restore();
+}
+
+Advanced Solver::advance(double time_step, std::span<const Load> loads,
+                         std::span<const Prescribed> prescribed) {
+  require(std::isfinite(time_step) && time_step > 0, "a time_step > 0 s is required; got {}", time_step);
+  restore();
+  set_loads(loads);
+  start_prescribed(prescribed, time_step);
+  const Advanced outcome = integrate(model_, loads_, time_step, trial_);
+  finish_prescribed(prescribed);
+  return outcome;
+}
+
+/// The whole weight m g, as the fluid's force includes the buoyancy; in a plane scene only what acts in the
+/// plane.
+void Solver::set_loads(std::span<const Load> loads) {
+  const Bodies& bodies = model_.bodies;
+  loads_.torque.assign(bodies.size(), Vec3::Zero());
+  loads_.force.resize(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) loads_.force[i] = bodies.mass[i] * model_.gravity;
+  for (const Load& load : loads) {
+    check_body(model_, load.body, "load");
+    require(load.force.allFinite() && load.torque.allFinite(), "the load of body {} must be finite",
+            bodies.name[load.body]);
+    const Vec3 force_axes = model_.plane ? Vec3(1, 1, 0) : Vec3(1, 1, 1);
+    const Vec3 torque_axes = model_.plane ? Vec3(0, 0, 1) : Vec3(1, 1, 1);
+    loads_.force[load.body] += load.force.cwiseProduct(force_axes);
+    loads_.torque[load.body] += load.torque.cwiseProduct(torque_axes);
+  }
+}
+
+/// Bodies that are not free have the velocity of the way they go, and the mean of their spins.
+void Solver::start_prescribed(std::span<const Prescribed> prescribed, double time_step) {
+  Motions& motions = trial_.motions;
+  for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+    if (model_.bodies.is_free(i)) continue;
+    motions.velocity[i].setZero();
+    motions.spin[i].setZero();
+  }
+  for (const Prescribed& end : prescribed) {
+    check_body(model_, end.body, "prescribed motion");
+    const std::string& name = model_.bodies.name[end.body];
+    require(!model_.bodies.is_free(end.body), "body {} is free and cannot have a prescribed motion", name);
+    require(end.position.allFinite() && end.velocity.allFinite() && end.spin.allFinite() &&
+                std::abs(end.orientation.norm() - 1) < 1e-6,
+            "the prescribed motion of body {} must be finite, with a unit quaternion", name);
+    motions.velocity[end.body] = (end.position - motions.position[end.body]) / time_step;
+    motions.spin[end.body] = 0.5 * (accepted_.motions.spin[end.body] + end.spin);
+  }
+}
+
+void Solver::finish_prescribed(std::span<const Prescribed> prescribed) {
+  for (const Prescribed& end : prescribed) {
+    trial_.motions.position[end.body] = end.position;
+    trial_.motions.orientation[end.body] = {end.orientation, Vec3::Zero()};
+    trial_.motions.velocity[end.body] = end.velocity;
+    trial_.motions.spin[end.body] = end.spin;
+  }
+}
+
+std::vector<std::uint8_t> Solver::checkpoint() {
+  forget_search(accepted_.neighbours);
+  restore();
+  return to_bytes(accepted_);
+}
+
+void Solver::resume(std::span<const std::uint8_t> bytes) {
+  accepted_ = from_bytes(bytes, model_);
+  restore();
+}
+
+}  // namespace fpi::dem

@@ -1,0 +1,62 @@
+/// The particles' problem, paper section 4. `advance` always starts from the last accepted state and gives
+/// bitwise the same for the same arguments; `accept` keeps its result, `restore` forgets it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dem/integrator.hpp"
+
+namespace fpi::dem {
+
+/// Held over the step, besides weight and contacts.
+struct Load {
+  std::uint32_t body = 0;
+  Vec3 force = Vec3::Zero();   ///< [N]
+  Vec3 torque = Vec3::Zero();  ///< [N m] about the centre
+};
+
+/// Where a body that is not free is to be at the end of the step; on the way it moves linearly.
+struct Prescribed {
+  std::uint32_t body = 0;
+  Vec3 position = Vec3::Zero();  ///< [m]
+  Quaternion orientation = Quaternion::Identity();
+  Vec3 velocity = Vec3::Zero();  ///< [m/s]
+  Vec3 spin = Vec3::Zero();      ///< [rad/s]
+};
+
+class Solver {
+ public:
+  /// Throws Error for a set-up that cannot be run, among it free bodies that overlap at the start by more
+  /// than 1 % of a radius.
+  explicit Solver(const Setup& setup);
+
+  /// Throws Error for a step that is not > 0 s, a body that does not exist, or numbers that are not finite. A
+  /// body that is not free and not among `prescribed` stays where it is.
+  Advanced advance(double time_step, std::span<const Load> loads,
+                   std::span<const Prescribed> prescribed = {});
+  void accept() { accepted_ = trial_; }
+  void restore() { trial_ = accepted_; }
+
+  /// As the last `advance`, `accept` or `restore` left them.
+  const Motions& motions() const { return trial_.motions; }
+  const Model& model() const { return model_; }
+
+  /// The accepted state as bytes. Forgets the search for neighbours, which a resumed run does not have, so
+  /// that both go on bitwise alike.
+  std::vector<std::uint8_t> checkpoint();
+  /// Takes up an accepted state. Throws Error unless the bytes are a state of this scene.
+  void resume(std::span<const std::uint8_t> bytes);
+
+ private:
+  void set_loads(std::span<const Load> loads);
+  void start_prescribed(std::span<const Prescribed> prescribed, double time_step);
+  void finish_prescribed(std::span<const Prescribed> prescribed);
+
+  Model model_;
+  State accepted_, trial_;
+  Forces loads_;  ///< weight included
+};
+
+}  // namespace fpi::dem

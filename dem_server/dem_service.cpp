@@ -1,0 +1,109 @@
+#include "dem_service.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "scene/scene.hpp"
+
+namespace fpi::dem {
+namespace {
+
+Vec3 to_eigen(const proto::Vec3& v) { return {v[0], v[1], v[2]}; }
+proto::Vec3 to_wire(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+Setup make_setup(const scene::Scene& scene) {
+  return {.gravity = to_eigen(scene::to_vec3(scene.gravity)),
+          .thickness = scene.thickness,
+          .dem = scene.dem.value_or(scene::Dem{}),
+          .bodies = scene.bodies,
+          .materials = scene.materials,
+          .walls = scene.walls};
+}
+
+std::vector<Load> read_loads(const std::vector<proto::Load>& messages) {
+  std::vector<Load> loads;
+  for (const auto& m : messages) loads.push_back({m.body, to_eigen(m.force), to_eigen(m.torque)});
+  return loads;
+}
+
+std::vector<Prescribed> read_prescribed(const std::vector<proto::Motion>& messages) {
+  std::vector<Prescribed> prescribed;
+  for (const auto& m : messages) {
+    const auto& [w, x, y, z] = m.orientation;
+    prescribed.push_back(
+        {m.body, to_eigen(m.position), Quaternion(w, x, y, z), to_eigen(m.velocity), to_eigen(m.spin)});
+  }
+  return prescribed;
+}
+
+std::vector<proto::Motion> write_motions(const Motions& motions) {
+  std::vector<proto::Motion> messages;
+  for (std::uint32_t i = 0; i < motions.position.size(); ++i) {
+    const Quaternion& q = motions.orientation[i].base;
+    messages.push_back({.body = i,
+                        .position = to_wire(motions.position[i]),
+                        .orientation = {q.w(), q.x(), q.y(), q.z()},
+                        .velocity = to_wire(motions.velocity[i]),
+                        .spin = to_wire(motions.spin[i])});
+  }
+  return messages;
+}
+
+/// What is left out in this scene, and why.
+std::vector<std::string> notes(const Model& model) {
+  std::vector<std::string> notes;
+  if (model.walls.empty() && model.bodies.size() == 1) notes.emplace_back("one body and no wall: no contact");
+  notes.emplace_back("sub-steps only while something touches or is about to");
+  if (lists_every_pair(model.bodies))
+    notes.emplace_back("few bodies: every pair is watched, none searched for");
+  return notes;
+}
+
+}  // namespace
+
+proto::Configured DemService::configure(const proto::Configure& message) {
+  progress.set("configure");
+  const scene::Scene scene = scene::read_text(message.scene, "the scene sent by the coupler");
+  solver_.emplace(make_setup(scene));
+  if (!message.state.empty()) solver_->resume(message.state);
+  const Model& model = solver_->model();
+  return {.notes = notes(model), .figures = {{"bodies", static_cast<double>(model.bodies.size())}}};
+}
+
+proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdvance& message) {
+  const ScopedTimer timer(ledger_, "dem");
+  progress.set("contacts");
+  const Advanced outcome =
+      solver().advance(message.time_step, read_loads(message.loads), read_prescribed(message.prescribed));
+  ledger_.counts["sub_steps"] += static_cast<double>(outcome.sub_steps);
+  ledger_.counts["neighbour_searches"] += static_cast<double>(outcome.searches);
+  return {.converged = outcome.converged,
+          .reason = outcome.reason,
+          .motions = outcome.converged ? write_motions(solver().motions()) : std::vector<proto::Motion>{},
+          .sub_steps = outcome.sub_steps,
+          .contacts = outcome.contacts,
+          .largest_overlap = outcome.largest_overlap};
+}
+
+proto::Accepted DemService::accept() {
+  solver().accept();
+  return {};
+}
+
+void DemService::restore() { solver().restore(); }
+
+proto::State DemService::checkpoint() { return {solver().checkpoint()}; }
+
+proto::Figures DemService::report() {
+  proto::Figures figures(ledger_.seconds.begin(), ledger_.seconds.end());
+  figures.insert(figures.end(), ledger_.counts.begin(), ledger_.counts.end());
+  return figures;
+}
+
+Solver& DemService::solver() {
+  require(solver_.has_value(),
+          "the DEM must be configured before it is asked for anything: send Configure first");
+  return *solver_;
+}
+
+}  // namespace fpi::dem

@@ -1,0 +1,28 @@
+/// The DEM as a participant: message → library call → reply.
+#pragma once
+
+#include <optional>
+
+#include "core/timer.hpp"
+#include "dem/solver.hpp"
+#include "proto/participant.hpp"
+
+namespace fpi::dem {
+
+class DemService : public proto::DemParticipant {
+ public:
+  proto::Configured configure(const proto::Configure& message) override;
+  proto::DemAdvanced advance(const proto::Stamp& stamp, const proto::DemAdvance& message) override;
+  proto::Accepted accept() override;
+  void restore() override;
+  proto::State checkpoint() override;
+  proto::Figures report() override;
+
+ private:
+  Solver& solver();
+
+  std::optional<Solver> solver_;
+  Ledger ledger_;
+};
+
+}  // namespace fpi::dem

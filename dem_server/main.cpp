@@ -1,0 +1,9 @@
+/// dem_server: moves the grains of one run for a coupler.
+#include "dem_service.hpp"
+
+int main(int argc, char** argv) {
+  const fpi::proto::Connection connection =
+      fpi::proto::read_command_line(argc, argv, "dem_server", {"checkpoint"});
+  fpi::dem::DemService service;
+  return fpi::proto::serve(service, connection);
+}
