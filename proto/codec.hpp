@@ -1,5 +1,5 @@
-/// Plain messages to bytes and back. Bytes from outside are hostile: size limit, FlatBuffers verification, lengths
-/// that belong together, finite numbers, then use.
+/// Plain messages to bytes and back. Bytes from outside are hostile: size limit, FlatBuffers verification,
+/// lengths that belong together, finite numbers, then use.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-/// The coupler's end of the wire: it binds a ROUTER, admits one participant a role, asks and gets answers, and
-/// knows within seconds when a participant has vanished.
+/// The coupler's end of the wire: it binds a ROUTER, admits one participant a role, asks and gets answers,
+/// and knows within seconds when a participant has vanished.
 #pragma once
 
 #include <functional>
@@ -14,13 +14,15 @@ namespace fpi::proto {
 
 struct HostOptions {
   std::string address = "tcp://127.0.0.1:*";  ///< "*": a free port
-  std::string keys;              ///< folder of coupler.secret, coupler.public, participant.public; "": loopback only
+  std::string keys;  ///< folder of coupler.secret, coupler.public, participant.public; "": loopback only
   std::uint64_t run = 0;
   std::uint64_t scene_fingerprint = 0;
-  double silence_timeout = 10;   ///< [s] without a sign of life of a participant
-  double join_timeout = 60;      ///< [s] for every participant to join; waits for ever where external
+  double silence_timeout = 10;  ///< [s] without a sign of life of a participant
+  double join_timeout = 60;     ///< [s] for every participant to join; waits for ever where external
   double heartbeat_interval = 0.5;
-  /// Read lines "exited ROLE STATUS" from standard input, written by the launcher when a process it started ends.
+  /// Read lines "exited ROLE STATUS" from standard input, written by the launcher when a process it started
+  /// ends (negative: the signal). The launcher keeps it open: its end means that the launcher is gone, and
+  /// the next wait throws Interrupted.
   bool watch_stdin = false;
 };
 
@@ -56,7 +58,8 @@ class Host {
     throw ParticipantLost(unexpected(role, answer));
   }
 
-  /// Says goodbye to all that are there and collects their last figures, waiting a few seconds at most. Never throws.
+  /// Says goodbye to all that are there and collects their last figures, waiting a few seconds at most. Never
+  /// throws.
   std::vector<std::pair<std::string, Figures>> dismiss(const std::string& reason) noexcept;
 
   /// Called about ten times a second while waiting; for progress display. May throw to stop the wait.

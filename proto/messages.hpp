@@ -1,6 +1,7 @@
-/// The messages between the coupler and its participants, as plain values. `fpi.fbs` is their form on the wire,
-/// `codec.hpp` maps one to the other and is the only judge of bytes from outside. conventions: SI units, plane
-/// scenes have z = 0 and spin and torque about z; a plane force is that of the scene's whole thickness.
+/// The messages between the coupler and its participants, as plain values. `fpi.fbs` is their form on the
+/// wire, `codec.hpp` maps one to the other and is the only judge of bytes from outside. conventions: SI
+/// units, plane scenes have z = 0 and spin and torque about z; a plane force is that of the scene's whole
+/// thickness.
 #pragma once
 
 #include <array>
@@ -28,30 +29,30 @@ struct Stamp {
   bool operator==(const Stamp&) const = default;
 };
 
-// ---- joining -----------------------------------------------------------------------------------------------
+// ---- joining ------------------------------------------------------------------------------------
 
 /// First message of a participant.
 struct Hello {
   std::uint32_t protocol_version = proto::protocol_version;
-  std::string role;                        ///< "fluid" | "dem"
-  std::string program, program_version;
-  std::vector<std::string> capabilities;   ///< e.g. "checkpoint", "fields"
-  std::uint64_t schema_fingerprint = 0;    ///< of fpi.fbs
-  std::uint64_t scene_fingerprint = 0;     ///< 0: any scene
+  std::string role{};  ///< "fluid" | "dem"
+  std::string program{}, program_version{};
+  std::vector<std::string> capabilities{};  ///< e.g. "checkpoint", "fields"
+  std::uint64_t schema_fingerprint = 0;     ///< of fpi.fbs
+  std::uint64_t scene_fingerprint = 0;      ///< 0: any scene
 };
 struct Welcome {
   std::uint64_t scene_fingerprint = 0;
-  double heartbeat_interval = 0.5;         ///< [s] that the participant keeps to
+  double heartbeat_interval = 0.5;  ///< [s] that the participant keeps to
 };
 struct Refusal {
-  std::string reason;
+  std::string reason{};
 };
 /// The participant's part of the scene.
 struct Configure {
-  std::string scene;       ///< TOML, all defaults filled in
-  std::string mesh_name;   ///< file name of the mesh, "" where there is none
-  Bytes mesh;              ///< its bytes
-  Bytes state;             ///< of State, when a run is resumed; else empty
+  std::string scene{};      ///< TOML, all defaults filled in
+  std::string mesh_name{};  ///< file name of the mesh, "" where there is none
+  Bytes mesh{};             ///< its bytes
+  Bytes state{};            ///< of State, when a run is resumed; else empty
 };
 /// The length of arc or edge [m] that the fluid wants for the interface mesh of a body at its place now.
 struct ArcLength {
@@ -59,136 +60,135 @@ struct ArcLength {
   double length = 0;
 };
 struct Configured {
-  std::vector<ArcLength> arc_lengths;   ///< fluid: one for every body
-  double resolved_gap = 0;              ///< [m] fluid: below it lubrication is not resolved; 0: not said
-  std::vector<std::string> notes;       ///< what is skipped, and why; for the log
-  Figures figures;                      ///< e.g. unknowns
+  std::vector<ArcLength> arc_lengths{};  ///< fluid: one for every body
+  double resolved_gap = 0;               ///< [m] fluid: below it lubrication is not resolved; 0: not said
+  std::vector<std::string> notes{};      ///< what is skipped, and why; for the log
+  Figures figures{};                     ///< e.g. unknowns
 };
 
-// ---- a step ------------------------------------------------------------------------------------------------
+// ---- a step -------------------------------------------------------------------------------------
 
 /// Rigid state of a body.
 struct Motion {
-  std::uint32_t body = 0;               ///< index in the scene's [[bodies]]
-  Vec3 position{};                      ///< centre [m]
+  std::uint32_t body = 0;                         ///< index in the scene's [[bodies]]
+  Vec3 position{};                                ///< centre [m]
   std::array<double, 4> orientation{1, 0, 0, 0};  ///< unit quaternion (w, x, y, z)
-  Vec3 velocity{};                      ///< [m/s]
-  Vec3 spin{};                          ///< [rad/s]
+  Vec3 velocity{};                                ///< [m/s]
+  Vec3 spin{};                                    ///< [rad/s]
 };
 
-/// The interface mesh of one body, with its velocities. Arc a runs counter-clockwise from angle start[a] to end[a]
-/// [rad] on the circle; an edge runs from vertex a to vertex a + 1 (closed outline, body on the left).
+/// The interface mesh of one body, with its velocities. Arc a runs counter-clockwise from angle start[a] to
+/// end[a] [rad] on the circle; an edge runs from vertex a to vertex a + 1 (closed outline, body on the left).
 struct Interface {
   std::uint32_t body = 0;
-  Vec3 centre{};                        ///< [m]; point that the torque is taken about
-  double radius = 0;                    ///< [m] of the arcs; 0: edges
-  std::vector<double> start, end;       ///< [rad]
-  std::vector<double> vertices;         ///< [m] x, y of each, of an outline of edges
-  bool rigid = true;                    ///< velocity law u = translation + spin × (x − centre)
-  Vec3 translation{}, spin{};           ///< [m/s], [rad/s]
-  std::uint32_t points = 0;             ///< Gauss–Legendre points an arc or edge
-  std::vector<double> velocities;       ///< [m/s] x, y at these points, arc after arc
+  Vec3 centre{};                       ///< [m]; point that the torque is taken about
+  double radius = 0;                   ///< [m] of the arcs; 0: edges
+  std::vector<double> start{}, end{};  ///< [rad]
+  std::vector<double> vertices{};      ///< [m] x, y of each, of an outline of edges
+  bool rigid = true;                   ///< velocity law u = translation + spin × (x − centre)
+  Vec3 translation{}, spin{};          ///< [m/s], [rad/s]
+  std::uint32_t points = 0;            ///< Gauss–Legendre points an arc or edge
+  std::vector<double> velocities{};    ///< [m/s] x, y at these points, arc after arc
   std::size_t size() const { return radius > 0 ? start.size() : vertices.size() / 2; }
 };
 struct FluidAdvance {
-  double time = 0;                      ///< [s] at the end of the step
-  double time_step = 0;                 ///< [s]; 0 asks for the steady state
-  std::vector<Interface> interfaces;
+  double time = 0;       ///< [s] at the end of the step
+  double time_step = 0;  ///< [s]; 0 asks for the steady state
+  std::vector<Interface> interfaces{};
 };
 /// λ on the arcs or edges of a body, and what it adds up to.
 struct Traction {
   std::uint32_t body = 0;
-  std::vector<double> values;           ///< λ [Pa], x, y of each arc
-  Vec3 force{};                         ///< [N] on the body, with the buoyancy
-  Vec3 torque{};                        ///< [N m] about the centre
-  double arc_length = 0;                ///< [m] wanted next
+  std::vector<double> values{};  ///< λ [Pa], x, y of each arc
+  Vec3 force{};                  ///< [N] on the body, with the buoyancy
+  Vec3 torque{};                 ///< [N m] about the centre
+  double arc_length = 0;         ///< [m] wanted next
 };
 struct FluidAdvanced {
   bool converged = false;
-  std::string reason;                   ///< why not
-  std::vector<Traction> tractions;
+  std::string reason{};  ///< why not
+  std::vector<Traction> tractions{};
   std::uint32_t newton_iterations = 0;
-  double residual = 0;                  ///< last relative Newton update
+  double residual = 0;  ///< last relative Newton update
 };
 
 /// What a body feels besides gravity and contact.
 struct Load {
   std::uint32_t body = 0;
-  Vec3 force{};                         ///< [N]
-  Vec3 torque{};                        ///< [N m]
-  std::vector<double> start, end;       ///< arcs [rad], as in Interface
-  std::vector<double> tractions;        ///< λ [Pa], x, y of each arc
+  Vec3 force{};                        ///< [N]
+  Vec3 torque{};                       ///< [N m]
+  std::vector<double> start{}, end{};  ///< arcs [rad], as in Interface
+  std::vector<double> tractions{};     ///< λ [Pa], x, y of each arc
 };
 struct DemAdvance {
-  double time = 0;                      ///< [s] at the end of the step
-  double time_step = 0;                 ///< [s]
-  std::vector<Load> loads;              ///< held over the step
-  std::vector<Motion> prescribed;       ///< at the end of the step, for every body that is not free
+  double time = 0;                   ///< [s] at the end of the step
+  double time_step = 0;              ///< [s]
+  std::vector<Load> loads{};         ///< held over the step
+  std::vector<Motion> prescribed{};  ///< at the end of the step, for every body that is not free
 };
 struct DemAdvanced {
   bool converged = false;
-  std::string reason;
-  std::vector<Motion> motions;          ///< of every body, at the end of the step
+  std::string reason{};
+  std::vector<Motion> motions{};  ///< of every body, at the end of the step
   std::uint64_t sub_steps = 0;
-  std::uint64_t contacts = 0;           ///< at the end of the step
-  double largest_overlap = 0;           ///< [m] met during the step
+  std::uint64_t contacts = 0;  ///< at the end of the step
+  double largest_overlap = 0;  ///< [m] met during the step
 };
 
 struct Accept {};
-/// Figures of the accepted state: for the fluid the scene's probes by name, and the force on each named boundary as
-/// "force_x:NAME", "force_y:NAME" [N].
+/// Figures of the accepted state: for the fluid the scene's probes by name, and the force on each named
+/// boundary as "force_x:NAME", "force_y:NAME" [N].
 struct Accepted {
-  Figures figures;
+  Figures figures{};
 };
 struct Restore {};
 struct Restored {};
 
-// ---- results and state ---------------------------------------------------------------------------------------
+// ---- results and state --------------------------------------------------------------------------
 
 struct Write {
-  bool mesh = false;                    ///< points and cells are wanted too
+  bool mesh = false;  ///< points and cells are wanted too
 };
 /// One field: components of each point or cell, one after another.
 struct Field {
-  std::string name;
+  std::string name{};
   bool on_cells = false;
   std::uint32_t components = 1;
-  std::vector<double> values;
+  std::vector<double> values{};
 };
 /// Points x, y, z and quadratic triangles (three corners, then the middles of sides 01, 12, 20).
 struct Fields {
   double time = 0;
-  std::vector<double> points;
-  std::vector<std::uint32_t> cells;     ///< 6 each
-  std::vector<Field> fields;
+  std::vector<double> points{};
+  std::vector<std::uint32_t> cells{};  ///< 6 each
+  std::vector<Field> fields{};
 };
 struct Checkpoint {};
 struct State {
-  Bytes bytes;                          ///< only its participant reads them
+  Bytes bytes{};  ///< only its participant reads them
 };
 
-// ---- life ------------------------------------------------------------------------------------------------------
+// ---- life ---------------------------------------------------------------------------------------
 
 /// Sent from a thread of its own, so that "busy" and "dead" differ.
 struct Heartbeat {
-  std::string phase;                    ///< e.g. "factor"
-  double progress = 0;                  ///< 0 to 1 within the phase, where known
+  std::string phase{};  ///< e.g. "factor"
+  double progress = 0;  ///< 0 to 1 within the phase, where known
 };
 struct Failure {
-  std::string who, phase, text;         ///< the step is in the stamp
+  std::string who{}, phase{}, text{};  ///< the step is in the stamp
 };
 struct Goodbye {
-  std::string reason;
+  std::string reason{};
 };
 /// Last message of a participant: its counters, timers and peak memory.
 struct Farewell {
-  Figures figures;
+  Figures figures{};
 };
 
-using Message =
-    std::variant<Hello, Welcome, Refusal, Configure, Configured, FluidAdvance, FluidAdvanced, DemAdvance, DemAdvanced,
-                 Accept, Accepted, Restore, Restored, Write, Fields, Checkpoint, State, Heartbeat, Failure, Goodbye,
-                 Farewell>;
+using Message = std::variant<Hello, Welcome, Refusal, Configure, Configured, FluidAdvance, FluidAdvanced,
+                             DemAdvance, DemAdvanced, Accept, Accepted, Restore, Restored, Write, Fields,
+                             Checkpoint, State, Heartbeat, Failure, Goodbye, Farewell>;
 
 struct Envelope {
   Stamp stamp;

@@ -1,5 +1,6 @@
-/// What a solver implements to take part in a run; `serve` does all the rest: joining, heartbeats from a thread of
-/// their own, checks of every message, errors, and the end. A toy fluid in under 100 lines: tests/coupled.
+/// What a solver implements to take part in a run; `serve` does all the rest: joining, heartbeats from a
+/// thread of their own, checks of every message, errors, and the end. A toy fluid in under 100 lines:
+/// tests/coupled.
 #pragma once
 
 #include <atomic>
@@ -26,7 +27,8 @@ class Progress {
   std::atomic<double> fraction_{0};
 };
 
-/// Common to all roles. A function may throw fpi::Error: the coupler is told who, in which phase and step, and why.
+/// Common to all roles. A function may throw fpi::Error: the coupler is told who, in which phase and step,
+/// and why.
 class Participant {
  public:
   virtual ~Participant() = default;
@@ -46,8 +48,9 @@ class Participant {
   Progress progress;
 };
 
-/// `advance` starts from the last accepted state each time. Sub-iteration 0 starts a step; sub-iteration k > 0 may
-/// start its solution process from the result of k − 1. The same messages give bitwise the same answers.
+/// `advance` starts from the last accepted state each time. Sub-iteration 0 starts a step; sub-iteration k >
+/// 0 may start its solution process from the result of k − 1. The same messages give bitwise the same
+/// answers.
 class FluidParticipant : public Participant {
  public:
   virtual FluidAdvanced advance(const Stamp&, const FluidAdvance&) = 0;
@@ -61,19 +64,21 @@ class DemParticipant : public Participant {
 struct Connection {
   std::string program, program_version;
   std::vector<std::string> capabilities;
-  std::string address;                  ///< "tcp://127.0.0.1:5555"
-  std::string keys;                     ///< folder with participant.secret, participant.public, coupler.public; "": none
+  std::string address;  ///< "tcp://127.0.0.1:5555"
+  std::string keys;     ///< folder with participant.secret, participant.public, coupler.public; "": none
   std::uint64_t scene_fingerprint = 0;  ///< 0: any scene
   double join_timeout = 30;             ///< [s] to wait for the coupler
   double silence_timeout = 30;          ///< [s] without a sign of life of the coupler
 };
 
-/// Takes part in one run. Returns the exit status: 0 after a goodbye, 1 after an error of this participant, 2 where
-/// the coupler refused or could not be reached, 3 where it vanished. Every case is logged with a sentence.
+/// Takes part in one run. Returns the exit status: 0 after a goodbye, 1 after an error of this participant, 2
+/// where the coupler refused or could not be reached, 3 where it vanished. Every case is logged with a
+/// sentence.
 int serve(FluidParticipant&, const Connection&);
 int serve(DemParticipant&, const Connection&);
 
-/// The command line every participant shares: --connect ADDRESS [--keys DIR] [--log FILE] [--scene FINGERPRINT]
+/// The command line every participant shares: --connect ADDRESS [--keys DIR] [--log FILE] [--scene
+/// FINGERPRINT]
 /// [--version]. Opens the log. Exits by itself on --help, --version and bad options (status 2).
 Connection read_command_line(int argc, char** argv, const std::string& program,
                              const std::vector<std::string>& capabilities);

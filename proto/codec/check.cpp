@@ -1,0 +1,197 @@
+/// One walk over the members of a message: every number must be finite, every text printable; then the rules
+/// of each type. The place of a value is spelt out only when it is refused.
+#include "proto/codec/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "proto/codec.hpp"
+#include "proto/codec/members.hpp"
+
+namespace fpi::proto {
+namespace {
+
+constexpr std::size_t no_index = std::numeric_limits<std::size_t>::max();
+
+/// A member of a message, e.g. FluidAdvanced.tractions[2].values.
+struct Place {
+  const Place* outer;
+  std::string_view name;
+  std::size_t index = no_index;
+
+  std::string text() const {
+    const std::string path = outer ? fmt::format("{}.{}", outer->text(), name) : std::string(name);
+    return index == no_index ? path : fmt::format("{}[{}]", path, index);
+  }
+};
+
+/// A rule on `member` of the thing at `at`.
+template <class Got>
+void demand(bool holds, const Place& at, std::string_view member, std::string_view required, const Got& got) {
+  if (!holds) fail("{}.{} must be {}; got {}", at.text(), member, required, got);
+}
+
+// ---- rules --------------------------------------------------------------------------------------
+
+template <class T>
+void rules(const Place&, const T&) {}
+
+void rules(const Place& at, const Hello& hello) {
+  constexpr std::size_t longest = 200;
+  for (const std::string* text : {&hello.role, &hello.program, &hello.program_version})
+    demand(text->size() <= longest, at, "role, program and program_version", "at most 200 bytes long",
+           text->size());
+}
+
+void rules(const Place& at, const Welcome& welcome) {
+  demand(welcome.heartbeat_interval > 0, at, "heartbeat_interval", "> 0 s", welcome.heartbeat_interval);
+}
+
+void rules(const Place& at, const ArcLength& arc) {
+  demand(arc.length > 0, at, "length", "> 0 m", arc.length);
+}
+
+void rules(const Place& at, const Configured& configured) {
+  demand(configured.resolved_gap >= 0, at, "resolved_gap", ">= 0 m", configured.resolved_gap);
+}
+
+void rules(const Place& at, const Motion& motion) {
+  const auto& [w, x, y, z] = motion.orientation;
+  const double length = std::sqrt(w * w + x * x + y * y + z * z);
+  demand(std::abs(length - 1) <= 1e-6, at, "orientation", "a unit quaternion (within 1e-6)", length);
+}
+
+void arcs_in_order(const Place& at, const std::vector<double>& start, const std::vector<double>& end) {
+  demand(start.size() == end.size(), at, "end", fmt::format("as long as start ({})", start.size()),
+         end.size());
+  constexpr double turn = 2 * std::numbers::pi * (1 + 1e-12);
+  for (std::size_t a = 0; a < start.size(); ++a)
+    demand(start[a] < end[a] && end[a] - start[a] <= turn, at, "end", "above start by one turn at most",
+           end[a] - start[a]);
+}
+
+void rules(const Place& at, const Interface& mesh) {
+  demand(mesh.radius >= 0, at, "radius", ">= 0 m", mesh.radius);
+  arcs_in_order(at, mesh.start, mesh.end);
+  const bool of_arcs = mesh.radius > 0;
+  demand(of_arcs == !mesh.start.empty(), at, "start", "given where radius > 0, and only there",
+         mesh.start.size());
+  demand(of_arcs ? mesh.vertices.empty() : mesh.vertices.size() >= 6 && mesh.vertices.size() % 2 == 0, at,
+         "vertices", "x, y of three or more vertices where radius = 0, and empty elsewhere",
+         mesh.vertices.size());
+  demand(mesh.points > 0 || mesh.rigid, at, "points", "> 0 where the motion is not rigid", mesh.points);
+  const std::size_t wanted = 2 * std::size_t{mesh.points} * mesh.size();
+  demand(mesh.velocities.size() == wanted, at, "velocities",
+         fmt::format("2 * points * arcs = {} numbers", wanted), mesh.velocities.size());
+}
+
+void rules(const Place& at, const FluidAdvance& advance) {
+  demand(advance.time_step >= 0, at, "time_step", ">= 0 s", advance.time_step);
+}
+
+void rules(const Place& at, const Traction& traction) {
+  demand(traction.values.size() % 2 == 0, at, "values", "two numbers an arc", traction.values.size());
+  demand(traction.arc_length > 0, at, "arc_length", "> 0 m", traction.arc_length);
+}
+
+void rules(const Place& at, const FluidAdvanced& advanced) {
+  demand(advanced.residual >= 0, at, "residual", ">= 0", advanced.residual);
+}
+
+void rules(const Place& at, const Load& load) {
+  arcs_in_order(at, load.start, load.end);
+  demand(load.tractions.size() == 2 * load.start.size(), at, "tractions",
+         fmt::format("two numbers for each of {} arcs", load.start.size()), load.tractions.size());
+}
+
+void rules(const Place& at, const DemAdvance& advance) {
+  demand(advance.time_step >= 0, at, "time_step", ">= 0 s", advance.time_step);
+}
+
+void rules(const Place& at, const DemAdvanced& advanced) {
+  demand(advanced.largest_overlap >= 0, at, "largest_overlap", ">= 0 m", advanced.largest_overlap);
+}
+
+void rules(const Place& at, const Field& field) {
+  demand(field.components > 0, at, "components", "> 0", field.components);
+  demand(field.values.size() % field.components == 0, at, "values",
+         fmt::format("a multiple of components ({})", field.components), field.values.size());
+}
+
+void rules(const Place& at, const Fields& fields) {
+  demand(fields.points.size() % 3 == 0, at, "points", "x, y, z of each point", fields.points.size());
+  demand(fields.cells.size() % 6 == 0, at, "cells", "6 indices each", fields.cells.size());
+  const std::size_t n_points = fields.points.size() / 3, n_cells = fields.cells.size() / 6;
+  const auto largest = std::max_element(fields.cells.begin(), fields.cells.end());
+  if (largest != fields.cells.end())
+    demand(*largest < n_points, at, "cells", fmt::format("indices below the {} points", n_points), *largest);
+  if (n_points == 0) return;  // the mesh went with an earlier message
+  for (const Field& field : fields.fields) {
+    const std::size_t wanted = (field.on_cells ? n_cells : n_points) * field.components;
+    demand(field.values.size() == wanted, at, "fields",
+           fmt::format("{} numbers for \"{}\"", wanted, field.name), field.values.size());
+  }
+}
+
+void rules(const Place& at, const Heartbeat& heartbeat) {
+  demand(heartbeat.progress >= 0 && heartbeat.progress <= 1, at, "progress", "between 0 and 1",
+         heartbeat.progress);
+}
+
+// ---- the walk -----------------------------------------------------------------------------------
+
+bool printable(const std::string& text) {
+  return std::none_of(text.begin(), text.end(), [](unsigned char c) {
+    return (c < 0x20 && c != '\n' && c != '\t' && c != '\r') || c == 0x7f;
+  });
+}
+
+void walk(const Place& at, const std::string& text) {
+  if (!printable(text)) fail("{} must be text without control characters; got some", at.text());
+}
+
+void walk(const Place& at, double value) {
+  if (!std::isfinite(value)) fail("{} must be finite; got {}", at.text(), value);
+}
+
+void walk(const Place& at, const std::pair<std::string, double>& figure) {
+  walk({&at, "name"}, figure.first);
+  walk({&at, "value"}, figure.second);
+}
+
+template <class T>
+requires std::is_integral_v<T>
+void walk(const Place&, T) {}
+void walk(const Place&, const Bytes&) {}
+
+template <class T>
+void walk(const Place& at, const std::vector<T>& list);
+
+template <std::size_t n>
+void walk(const Place& at, const std::array<double, n>& list) {
+  for (std::size_t i = 0; i < n; ++i) walk({at.outer, at.name, i}, list[i]);
+}
+
+template <class T>
+requires std::is_class_v<T>
+void walk(const Place& at, const T& owner) {
+  for_each_member(owner, [&](const char* member, const auto& value) { walk(Place{&at, member}, value); });
+  rules(at, owner);
+}
+
+template <class T>
+void walk(const Place& at, const std::vector<T>& list) {
+  for (std::size_t i = 0; i < list.size(); ++i) walk(Place{at.outer, at.name, i}, list[i]);
+}
+
+}  // namespace
+
+void check(const Message& message) {
+  std::visit([&](const auto& m) { walk(Place{nullptr, name(message)}, m); }, message);
+}
+
+}  // namespace fpi::proto

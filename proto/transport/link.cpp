@@ -1,0 +1,183 @@
+#include "proto/transport/link.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "proto/codec.hpp"
+#include "proto/transport/address.hpp"
+#include "proto/transport/security.hpp"
+
+namespace fpi::proto {
+namespace {
+
+constexpr double patience = 2;  ///< [s] that a solver may go on working once the run is over
+constexpr int refused = 2, vanished = 3;
+
+constexpr int watched_events = ZMQ_EVENT_HANDSHAKE_SUCCEEDED | ZMQ_EVENT_DISCONNECTED |
+                               ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
+                               ZMQ_EVENT_HANDSHAKE_FAILED_AUTH;
+
+}  // namespace
+
+Link::Link(const Connection& connection, const std::string& role, const Progress& progress)
+    : connection_(connection), role_(role), progress_(progress) {
+  require_usable(connection.address, connection.keys);
+  inner_.bind("inproc://answers");
+  outer_.connect("inproc://answers");
+  if (zmq_socket_monitor(wire_.handle(), "inproc://connection", watched_events) != 0) throw zmq::error_t();
+  monitor_.connect("inproc://connection");
+
+  set_limits(wire_);
+  // ZeroMQ's own pings are answered by the coupler's ZeroMQ threads, however busy the coupler is.
+  const int silence = std::max(1, static_cast<int>(connection.silence_timeout * 1000));
+  wire_.set(zmq::sockopt::heartbeat_ivl, std::max(1, silence / 3));
+  wire_.set(zmq::sockopt::heartbeat_timeout, silence);
+  wire_.set(zmq::sockopt::ipv6, connection.address.find('[') != std::string::npos);
+  if (!connection.keys.empty()) secure_participant(wire_, connection.keys);
+  wire_.connect(connection.address);
+  thread_ = std::thread([this] { run(); });
+}
+
+Link::~Link() {
+  try {
+    outer_.send(zmq::message_t(), zmq::send_flags::none);
+  } catch (const zmq::error_t& e) {
+    log::error("the connection cannot be ended in order: {}", e.what());
+    std::abort();  // joining the thread would hang
+  }
+  thread_.join();
+}
+
+Event Link::next() {
+  std::unique_lock lock(mutex_);
+  posted_.wait(lock, [&] { return !events_.empty(); });
+  Event event = std::move(events_.front());
+  events_.pop_front();
+  return event;
+}
+
+void Link::answer(const Envelope& envelope) {
+  outer_.send(zmq::message_t(encode(envelope)), zmq::send_flags::none);
+}
+
+// ---- the thread ---------------------------------------------------------------------------------
+
+void Link::run() noexcept {
+  try {
+    while (!stopped_) turn();
+  } catch (const std::exception& e) {
+    post(Ending{vanished, fmt::format("the connection broke: {}", e.what())});
+  }
+}
+
+void Link::turn() {
+  std::array items{reading(wire_), reading(monitor_), reading(inner_)};
+  poll(items, std::min(heartbeat_interval_, 0.5) / 2);
+  // Messages before events: a coupler that says goodbye and closes has not vanished.
+  while (const auto frames = receive(wire_)) handle(*frames);
+  while (const auto frames = receive(monitor_)) handle_event(*frames);
+  forward_answers();
+  beat();
+  watch_the_clock();
+}
+
+void Link::forward_answers() {
+  while (auto frames = receive(inner_)) {
+    if (frames->front().size() == 0) {
+      stopped_ = true;
+    } else if (!over_ || status_ == 0) {
+      wire_.set(zmq::sockopt::sndtimeo, 5000);  // [ms]; the coupler is waiting for it
+      if (send(wire_, std::move(*frames), zmq::send_flags::none) != Sent::yes)
+        post(Ending{vanished, "the coupler takes no answers"});
+    }
+  }
+}
+
+void Link::handle(const Frames& frames) {
+  auto letter = decode({frames[0].data<std::uint8_t>(), frames[0].size()});
+  if (const auto* malformed = std::get_if<Malformed>(&letter))
+    return post(Ending{refused,
+                       fmt::format("the coupler sent a message that cannot be used: {}", malformed->reason)});
+  auto& envelope = std::get<Envelope>(letter);
+  if (const auto* refusal = std::get_if<Refusal>(&envelope.message)) {
+    post(Ending{refused, fmt::format("the coupler refused: {}", refusal->reason)});
+  } else if (const auto* welcome = std::get_if<Welcome>(&envelope.message)) {
+    welcomed_ = true;
+    heartbeat_interval_ = welcome->heartbeat_interval;
+    stamp_ = envelope.stamp;
+  } else if (!std::holds_alternative<Heartbeat>(envelope.message)) {
+    stamp_ = envelope.stamp;
+    post(std::move(envelope));
+  }
+}
+
+/// An event is a number of two bytes and a value of four, in the machine's own order.
+void Link::handle_event(const Frames& frames) {
+  std::uint16_t event = 0;
+  std::uint32_t value = 0;
+  if (frames[0].size() < sizeof event + sizeof value) return;
+  std::memcpy(&event, frames[0].data(), sizeof event);
+  std::memcpy(&value, frames[0].data<char>() + sizeof event, sizeof value);
+  if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
+    if (!welcomed_) join();
+  } else if (event == ZMQ_EVENT_DISCONNECTED) {
+    if (welcomed_) post(Ending{vanished, "the coupler vanished: its connection is closed"});
+  } else {
+    post(Ending{refused, fmt::format("the handshake failed")});
+  }
+}
+
+void Link::join() {
+  Hello hello;
+  hello.role = role_;
+  hello.program = connection_.program;
+  hello.program_version = connection_.program_version;
+  hello.capabilities = connection_.capabilities;
+  hello.schema_fingerprint = schema_fingerprint();
+  hello.scene_fingerprint = connection_.scene_fingerprint;
+  Frames frames;
+  frames.emplace_back(encode({{}, std::move(hello)}));
+  send(wire_, std::move(frames));
+}
+
+void Link::beat() {
+  if (!welcomed_ || over_ || since(last_beat_) < heartbeat_interval_) return;
+  last_beat_ = Clock::now();
+  Frames frames;
+  frames.emplace_back(
+      encode({stamp_, Heartbeat{progress_.phase(), std::clamp(progress_.fraction(), 0.0, 1.0)}}));
+  send(wire_, std::move(frames));
+}
+
+void Link::watch_the_clock() {
+  if (!welcomed_ && !over_ && since(start_) > connection_.join_timeout)
+    post(Ending{refused,
+                fmt::format("no coupler welcomed this program at {} within {} s: check the address and "
+                            "that the coupler runs",
+                            connection_.address, connection_.join_timeout)});
+  if (over_ && since(*over_) > patience) {
+    log::warning("the run is over and the solver still works, in phase \"{}\": ending it", progress_.phase());
+    log::flush();
+    std::_Exit(status_);
+  }
+}
+
+/// The first ending counts; nothing follows a goodbye.
+void Link::post(Event event) {
+  if (over_) return;
+  const auto* ending = std::get_if<Ending>(&event);
+  if (ending || std::holds_alternative<Goodbye>(std::get<Envelope>(event).message)) {
+    over_ = Clock::now();
+    status_ = ending ? ending->status : 0;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    events_.push_back(std::move(event));
+  }
+  posted_.notify_one();
+}
+
+}  // namespace fpi::proto
