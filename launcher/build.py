@@ -1,0 +1,98 @@
+"""Configuring, building and testing: CMake and CTest with one line of progress, and their words on failure."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from launcher.common import ROOT, Refusal
+
+PRESETS = ("release", "dev", "asan", "tsan")
+
+
+def build(preset: str = "release", jobs: int | None = None, quiet: bool = False) -> None:
+    """Brings build/PRESET up to date. A second call finds nothing to do and says nothing."""
+    folder = ROOT / "build" / preset
+    folder.mkdir(parents=True, exist_ok=True)
+    log = folder / "build.log"
+    log.write_text("")
+    if not (folder / "build.ninja").exists():
+        follow(["cmake", "--preset", preset], log, f"configuring {preset}", quiet)
+    cores = str(jobs or os.cpu_count() or 1)
+    follow(["cmake", "--build", "--preset", preset, "--parallel", cores], log, f"building {preset}", quiet)
+
+
+def test(preset: str, everything: bool, jobs: int | None = None, quiet: bool = False) -> int:
+    """Runs the fast tests, or all; returns the status of ctest, whose closing lines are printed."""
+    folder = ROOT / "build" / preset
+    log = folder / "test.log"
+    log.write_text("")
+    command = ["ctest", "--test-dir", str(folder), "--output-on-failure", "--no-tests=error",
+               "--parallel", str(jobs or os.cpu_count() or 1)]
+    if not everything:
+        command += ["--label-regex", "^fast$"]
+    status, lines = stream(command, log, "testing", quiet)
+    failed = [i for i, line in enumerate(lines) if "***" in line]
+    closing = [i for i, line in enumerate(lines) if "tests passed" in line]
+    if status != 0 and failed:
+        print("\n".join(lines[failed[0]:closing[0]] if closing else lines[failed[0]:]))
+    print("\n".join(lines[closing[0]:] if closing else lines[-20:]))
+    return status
+
+
+def follow(command: list[str], log: Path, title: str, quiet: bool) -> None:
+    """Runs a command of the build; where it fails, everything from its first failure on is shown."""
+    status, lines = stream(command, log, title, quiet)
+    if status == 0:
+        return
+    first = next((i for i, line in enumerate(lines) if re.search(r"FAILED|CMake Error", line)), max(0, len(lines) - 40))
+    raise Refusal("\n".join(lines[first:]) + f"\n{title} must succeed; `{' '.join(command)}` ended with status "
+                  f"{status} (all of its output: {log})")
+
+
+def stream(command: list[str], log: Path, title: str, quiet: bool) -> tuple[int, list[str]]:
+    """Runs `command`, its output into `log`; returns status and lines. Counts like [12/80] become progress."""
+    lines = []
+    counter = Counter(title, quiet)
+    try:
+        process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                   errors="replace")
+    except FileNotFoundError as error:
+        raise Refusal(f"{title} needs the program {command[0]}: {error}; run `./fpi build`, which installs it") from error
+    with process, log.open("a") as file:
+        for line in process.stdout:
+            lines.append(line.rstrip("\n"))
+            file.write(line)
+            counter.see(line)
+    counter.close()
+    return process.returncode, lines
+
+
+class Counter:
+    """One line of progress on a terminal, a line each quarter elsewhere; silent while there is nothing to do."""
+
+    STEP = re.compile(r"^\[(\d+)/(\d+)\]|^\s*(\d+)/(\d+) Test ")
+
+    def __init__(self, title: str, quiet: bool):
+        self.title = title
+        self.quiet = quiet
+        self.terminal = sys.stdout.isatty()
+        self.quarter = 0
+        self.shown = False
+
+    def see(self, line: str) -> None:
+        match = self.STEP.match(line)
+        if match is None or self.quiet:
+            return
+        done, total = (int(number) for number in match.groups() if number is not None)
+        if self.terminal:
+            print(f"\r{self.title}: {done} of {total} ", end="", flush=True)
+            self.shown = True
+        elif 4 * done // total > self.quarter:
+            self.quarter = 4 * done // total
+            print(f"{self.title}: {done} of {total}", flush=True)
+
+    def close(self) -> None:
+        if self.shown:
+            print()

@@ -1,0 +1,173 @@
+"""The words of `./fpi` and what each does."""
+
+import argparse
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+from launcher import build, display, packages, report, run, scenes
+from launcher.common import ROOT, Refusal, program, programs
+
+
+def main(words: list[str]) -> int:
+    arguments = parser().parse_args(words)
+    try:
+        return arguments.do(arguments)
+    except Refusal as refusal:
+        print(f"fpi: {refusal}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        return 130
+
+
+def parser() -> argparse.ArgumentParser:
+    top = argparse.ArgumentParser(prog="fpi", description="Resolved fluid-particle interaction: runs, pictures, tests.")
+    words = top.add_subparsers(title="words", metavar="WORD", required=True)
+
+    def word(name, do, text, scene=False):
+        sub = words.add_parser(name, help=text, description=text)
+        sub.set_defaults(do=do)
+        if scene:
+            sub.add_argument("scene", metavar="SCENE", help="a scene file, or the name of one in configs/")
+            sub.add_argument("--set", dest="overrides", metavar="KEY=VALUE", action="append", default=[],
+                             help="replaces a value of the scene, e.g. fluid.density=998 or bodies.0.radius=0.01")
+        return sub
+
+    def script_options(sub):
+        sub.add_argument("--quiet", action="store_true", help="print errors only")
+        sub.add_argument("--json", action="store_true", help="print summary.json at the end, and errors, only")
+        sub.add_argument("--jobs", type=positive, metavar="N", help="threads of each program")
+        sub.add_argument("--listen", metavar="ADDRESS", help="where the coupler binds, e.g. tcp://0.0.0.0:5555")
+        sub.add_argument("--keys", type=Path, metavar="DIR", help="folder of keys, needed beyond this machine")
+
+    running = word("run", do_run, "run a scene to its end", scene=True)
+    running.add_argument("--out", type=Path, metavar="DIR", help="run folder, new or empty (default runs/SCENE)")
+    script_options(running)
+    word("check", do_check, "read and check a scene without running it", scene=True)
+    resuming = word("resume", do_resume, "continue a run from its last checkpoint")
+    resuming.add_argument("run", type=Path, metavar="RUN", help="the run folder")
+    script_options(resuming)
+    plotting = word("plot", do_plot, "draw the results of a run")
+    plotting.add_argument("run", type=Path, metavar="RUN", help="the run folder")
+    word("list", do_list, "name the scenes that come with fpi")
+    building = word("build", do_build, "install what is missing and build")
+    building.add_argument("--preset", choices=build.PRESETS, default="release")
+    building.add_argument("--jobs", type=positive, metavar="N", help="compilers at a time (default: all cores)")
+    testing = word("test", do_test, "build and run the tests")
+    testing.add_argument("--all", action="store_true", help="the slow ones too")
+    testing.add_argument("--preset", choices=build.PRESETS, default="release")
+    testing.add_argument("--jobs", type=positive, metavar="N", help="compilers and tests at a time")
+    word("demo", do_demo, "install, build, let a disc settle, draw it")
+    word("bench", do_bench, "run time against error on the benchmark scenes")
+    keys = word("keys", do_keys, "make the keys for runs across machines")
+    keys.add_argument("folder", type=Path, metavar="DIR", help="folder for the keys")
+    return top
+
+
+def positive(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"a number of at least 1 is required; got {text}")
+    return number
+
+
+def do_run(arguments) -> int:
+    ensure_programs(arguments.quiet or arguments.json)
+    scene = scenes.find(arguments.scene)
+    plan = run.plan(scene, arguments.overrides)
+    folder = run.new_folder(arguments.out, scene)
+    return execute(run.Request(scene, folder, arguments.overrides), plan, arguments)
+
+
+def do_resume(arguments) -> int:
+    ensure_programs(arguments.quiet or arguments.json)
+    scene = arguments.run / "scene.toml"
+    if not scene.is_file():
+        raise Refusal(f"a run folder with its scene.toml is required; there is none in {arguments.run}")
+    return execute(run.Request(scene, arguments.run, resume=True), run.plan(scene, []), arguments)
+
+
+def execute(request: run.Request, plan: dict, arguments) -> int:
+    request.listen, request.keys, request.threads = arguments.listen, arguments.keys, arguments.jobs
+    screen = display.choose(arguments.quiet or arguments.json)
+    screen.say(f"{plan['title'] or request.scene.stem}: results go to {request.folder}")
+    try:
+        status = run.Run(request, plan, screen).execute()
+    finally:
+        screen.close()
+    summary = report.summary_of(request.folder)
+    if summary is None:
+        raise Refusal(f"the run ended with status {status} before it had results; see {request.folder}/*.log")
+    if arguments.json:
+        print(json.dumps({"run": str(request.folder), **summary}, indent=2))
+    elif not arguments.quiet:
+        report.show(request.folder, summary)
+    return status if status != 0 else int(summary["status"] != "completed")
+
+
+def do_check(arguments) -> int:
+    ensure_programs(quiet=False)
+    scene = scenes.find(arguments.scene)
+    plan = run.plan(scene, arguments.overrides)
+    roles = [participant["role"] for participant in plan["participants"]]
+    print(f"{scene}: {plan['title'] or 'no title'}; in order, participants: {', '.join(roles) or 'none'}")
+    return 0
+
+
+def do_plot(arguments) -> int:
+    packages.ensure()
+    from launcher import plot  # needs packages that set-up installs
+
+    pictures = plot.draw(arguments.run)
+    for picture in pictures:
+        print(picture)
+    return 0
+
+
+def do_list(_arguments) -> int:
+    for name, title in scenes.titles():
+        print(f"{name:18s} {title}")
+    return 0
+
+
+def do_build(arguments) -> int:
+    packages.ensure()
+    build.build(arguments.preset, arguments.jobs)
+    return 0
+
+
+def do_test(arguments) -> int:
+    packages.ensure()
+    build.build(arguments.preset, arguments.jobs)
+    return build.test(arguments.preset, arguments.all, arguments.jobs)
+
+
+def do_demo(_arguments) -> int:
+    packages.ensure()
+    build.build()
+    status = main(["run", "settling_disc"])
+    if status != 0:
+        return status
+    latest = max(Path("runs").glob("settling_disc*"), key=lambda path: path.stat().st_mtime)
+    print("\n  pictures:")
+    return main(["plot", str(latest)])
+
+
+def do_bench(_arguments) -> int:
+    packages.ensure()
+    build.build()
+    return subprocess.run([sys.executable, "-I", str(ROOT / "bench" / "fluid.py")], check=False).returncode
+
+
+def do_keys(arguments) -> int:
+    ensure_programs(quiet=False)
+    return subprocess.run([str(program("coupler")), "--make-keys", str(arguments.folder)], check=False).returncode
+
+
+def ensure_programs(quiet: bool) -> None:
+    """Sets up and builds where the programs are not there yet; the words `build` and `test` bring them up to date."""
+    if (programs() / "coupler").exists():
+        return
+    packages.ensure(say=(lambda text: None) if quiet else print)
+    build.build(quiet=quiet)

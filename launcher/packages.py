@@ -1,0 +1,79 @@
+"""Set-up: which Debian packages are needed and why, which are missing, and how they get installed."""
+
+import os
+import shutil
+import subprocess
+
+from launcher.common import Refusal
+
+BUILD = {
+    "g++": "compiles the programs (C++20)",
+    "cmake": "configures the build",
+    "ninja-build": "runs the build on all cores",
+    "pkg-config": "finds the libraries below",
+    "libeigen3-dev": "dense and sparse matrices",
+    "libsuitesparse-dev": "UMFPACK, the sparse direct solver",
+    "libopenblas-dev": "the dense kernels under UMFPACK",
+    "libzmq3-dev": "messages between the programs",
+    "libflatbuffers-dev": "encoding of the messages",
+    "flatbuffers-compiler": "compiles the message schema",
+    "libhdf5-dev": "results on disk",
+    "libfmt-dev": "text formatting",
+    "libspdlog-dev": "logs",
+    "libcli11-dev": "command lines of the programs",
+    "libtoml11-dev": "scene files",
+    "libmuparser-dev": "formulas in scene files",
+    "libgtest-dev": "the tests",
+}
+RUN = {
+    "python3-rich": "progress bar and tables",
+    "python3-h5py": "reads results for the pictures",
+    "python3-matplotlib": "draws the pictures",
+}
+NEEDED = BUILD | RUN
+
+
+def installed(names) -> set[str]:
+    """Those of `names` that dpkg knows as installed, in one call."""
+    query = ["dpkg-query", "--show", "--showformat", "${db:Status-Abbrev} ${binary:Package}\n", *names]
+    lines = subprocess.run(query, capture_output=True, text=True, check=False).stdout.splitlines()
+    return {line[3:].strip().split(":")[0] for line in lines if line.startswith("ii")}
+
+
+def missing() -> list[str]:
+    if shutil.which("dpkg-query") is None:
+        raise Refusal(
+            "set-up knows Debian 12 (dpkg, apt); this system has no dpkg-query. Install what corresponds to: "
+            + ", ".join(NEEDED)
+        )
+    there = installed(NEEDED)
+    return [name for name in NEEDED if name not in there]
+
+
+def ensure(say=print) -> None:
+    """Installs what is missing; silent where nothing is. Without root it prints the command and refuses."""
+    names = missing()
+    if not names:
+        return
+    say("These Debian packages are missing:")
+    for name in names:
+        say(f"  {name:22s} {NEEDED[name]}")
+    install = ["apt-get", "install", "-y", "--no-install-recommends", *names]
+    if os.geteuid() != 0:
+        raise Refusal("only root can install them. Run this, then try again:\n  sudo apt-get update && sudo "
+                      + " ".join(install))
+    say("Installing them with apt-get.")
+    run_apt(["apt-get", "update"])
+    run_apt(install)
+    still = missing()
+    if still:
+        raise Refusal(f"apt-get ended well but these packages are still missing: {', '.join(still)}")
+
+
+def run_apt(command: list[str]) -> None:
+    """Runs apt quietly; its words appear only where it fails."""
+    environment = os.environ | {"DEBIAN_FRONTEND": "noninteractive"}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise Refusal(f"`{' '.join(command)}` must succeed; it ended with status {done.returncode}:\n"
+                      f"{done.stdout[-2000:]}{done.stderr[-2000:]}")

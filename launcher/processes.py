@@ -1,0 +1,69 @@
+"""Child processes that never outlive the launcher: each in a process group of its own, told to end when the
+launcher dies, and ended for certain when a run is over."""
+
+import ctypes
+import os
+import signal
+import subprocess
+import time
+
+PR_SET_PDEATHSIG = 1
+_libc = ctypes.CDLL(None, use_errno=True)
+
+
+def _end_with_the_launcher() -> None:
+    _libc.prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+
+
+class Child:
+    """A started program. Ctrl-C of the terminal does not reach it: it has its own process group."""
+
+    def __init__(self, name: str, command: list[str], stdin=subprocess.DEVNULL, stdout=None, stderr=None,
+                 environment: dict[str, str] | None = None):
+        self.name = name
+        self.process = subprocess.Popen(command, stdin=stdin, stdout=stdout, stderr=stderr, process_group=0,
+                                        env=os.environ | (environment or {}), preexec_fn=_end_with_the_launcher)
+
+    @property
+    def status(self) -> int | None:
+        """Exit status, minus the number of the signal that ended it, or None while it runs."""
+        return self.process.poll()
+
+    def signal(self, number: signal.Signals) -> None:
+        """Signals the whole group, and so what the program itself has started."""
+        try:
+            os.killpg(self.process.pid, number)
+        except ProcessLookupError:
+            pass
+
+    def wait(self, seconds: float) -> bool:
+        try:
+            self.process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            return False
+        return True
+
+
+def describe(status: int) -> str:
+    """"status 1", or "signal 9 (SIGKILL)" for a program that a signal ended."""
+    if status >= 0:
+        return f"status {status}"
+    try:
+        return f"signal {-status} ({signal.Signals(-status).name})"
+    except ValueError:
+        return f"signal {-status}"
+
+
+def end_all(children: list[Child], patience: float) -> None:
+    """Waits `patience` seconds in all for them to end by themselves, then terminates, then kills."""
+    deadline = time.monotonic() + patience
+    for child in children:
+        child.wait(max(0.0, deadline - time.monotonic()))
+    for number, grace in ((signal.SIGTERM, 2.0), (signal.SIGKILL, 2.0)):
+        running = [child for child in children if child.status is None]
+        for child in running:
+            child.signal(number)
+        deadline = time.monotonic() + grace
+        for child in running:
+            child.wait(max(0.0, deadline - time.monotonic()))
+

@@ -1,0 +1,223 @@
+"""One run: asks the coupler which programs the scene needs, starts them, tells the coupler when one of them ends,
+and leaves nothing running behind."""
+
+import contextlib
+import json
+import os
+import selectors
+import shlex
+import signal
+import subprocess
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from launcher.common import Refusal, program
+from launcher.display import Display
+from launcher.processes import Child, describe, end_all
+
+OURS = {"fluid": "fluid_server", "dem": "dem_server"}
+PATIENCE = 5.0  # [s] for participants after the goodbye
+NOT_STARTED = 127  # the shell's status for a program that cannot be started
+INTERRUPT_PATIENCE = 15.0  # [s] for the coupler to close its files after Ctrl-C
+
+
+@dataclass
+class Request:
+    scene: Path
+    folder: Path
+    overrides: list[str] = field(default_factory=list)
+    listen: str | None = None
+    keys: Path | None = None
+    threads: int | None = None
+    resume: bool = False
+
+
+def plan(scene: Path, overrides: list[str]) -> dict:
+    """What the coupler says about a scene: title, fingerprint and the participants it needs."""
+    command = [str(program("coupler")), "--plan", str(scene), *set_options(overrides)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise Refusal(done.stderr.strip() or f"`{shlex.join(command)}` ended with {describe(done.returncode)}")
+    try:
+        return json.loads(done.stdout)
+    except json.JSONDecodeError as error:
+        raise Refusal(f"`{shlex.join(command)}` must print JSON; got {done.stdout[:200]!r} ({error})") from error
+
+
+def set_options(overrides: list[str]) -> list[str]:
+    return [word for override in overrides for word in ("--set", override)]
+
+
+def new_folder(out: Path | None, scene: Path) -> Path:
+    """Makes the run folder: `out`, which must be new or empty, or the first free runs/NAME, runs/NAME-2, …"""
+    if out is not None:
+        if out.exists() and (not out.is_dir() or any(out.iterdir())):
+            raise Refusal(f"--out must name a new or empty folder; {out} holds something: choose another or remove it")
+        out.mkdir(parents=True, exist_ok=True)
+        return out
+    number = 1
+    while True:
+        folder = Path("runs") / (scene.stem if number == 1 else f"{scene.stem}-{number}")
+        try:
+            folder.mkdir(parents=True)
+            return folder
+        except FileExistsError:
+            number += 1
+
+
+class Run:
+    """The processes of a run and the watch over them."""
+
+    def __init__(self, request: Request, the_plan: dict, display: Display):
+        self.request = request
+        self.plan = the_plan
+        self.display = display
+        self.coupler: Child | None = None
+        self.participants: list[Child] = []
+        self.told: set[str] = set()
+        self.interrupted_at: float | None = None
+
+    def execute(self) -> int:
+        """Runs to the end and returns the coupler's exit status, or 130 after an interruption."""
+        with interruptions_call(self.interrupt):
+            self.coupler = Child("coupler", self.coupler_command(), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                 stderr=subprocess.PIPE)
+            try:
+                self.watch()
+            finally:
+                end_all([self.coupler, *self.participants], PATIENCE)
+                self.remove_empty_outputs()
+        if self.interrupted_at is not None:
+            return 130
+        status = self.coupler.status
+        return 1 if status is None or status < 0 else status
+
+    def coupler_command(self) -> list[str]:
+        request = self.request
+        command = [str(program("coupler")), "--scene", str(request.scene), "--out", str(request.folder),
+                   *set_options(request.overrides), "--watch-stdin"]
+        if request.listen:
+            command += ["--listen", request.listen]
+        if request.keys:
+            command += ["--keys", str(request.keys)]
+        if request.resume:
+            command += ["--resume"]
+        return command
+
+    def watch(self) -> None:
+        """Follows the coupler's words until it has ended."""
+        with selectors.DefaultSelector() as selector:
+            selector.register(self.coupler.process.stdout, selectors.EVENT_READ, Lines(self.hear))
+            selector.register(self.coupler.process.stderr, selectors.EVENT_READ, Lines(self.display.warn))
+            while selector.get_map():
+                for key, _ in selector.select(timeout=0.1):
+                    data = os.read(key.fd, 65536)
+                    key.data.take(data)
+                    if not data:
+                        selector.unregister(key.fileobj)
+                self.tell_of_exits()
+                if self.interrupted_at and time.monotonic() - self.interrupted_at > INTERRUPT_PATIENCE:
+                    self.display.warn("the coupler does not end; it is terminated")
+                    return
+
+    def hear(self, line: str) -> None:
+        """A line of the coupler's standard output: its address, progress, or words for the user."""
+        word, _, rest = line.partition(" ")
+        if word == "address":
+            self.start_participants(rest.strip())
+        elif word == "progress":
+            self.display.progress(json.loads(rest))
+        elif line:
+            self.display.say(line)
+
+    def start_participants(self, address: str) -> None:
+        for participant in self.plan["participants"]:
+            role = participant["role"]
+            words = shlex.split(participant["command"]) or [str(program(OURS[role]))]
+            options = ["--connect", reachable(address), "--scene", str(self.plan["scene_fingerprint"])]
+            if self.request.keys:
+                options += ["--keys", str(self.request.keys)]
+            if participant["external"]:
+                self.display.say(f"Waiting for the {role} program; start it with: {shlex.join(options)}")
+                continue
+            log = self.request.folder / f"{OURS[role]}.log"
+            with self.output_path(role).open("wb") as output:
+                try:
+                    self.participants.append(Child(role, [*words, *options, "--log", str(log)], stdout=output,
+                                                   stderr=subprocess.STDOUT, environment=self.environment()))
+                except OSError as error:
+                    self.display.warn(f"the {role} program cannot be started: {error}")
+                    self.tell(role, NOT_STARTED)
+
+    def environment(self) -> dict[str, str]:
+        if self.request.threads is None:
+            return {}
+        return {name: str(self.request.threads) for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")}
+
+    def output_path(self, role: str) -> Path:
+        """Where a program's words outside its log go: a crash, a sanitizer's report."""
+        return self.request.folder / f"{OURS[role]}.out"
+
+    def remove_empty_outputs(self) -> None:
+        for participant in self.participants:
+            path = self.output_path(participant.name)
+            if path.exists() and path.stat().st_size == 0:
+                path.unlink()
+
+    def tell_of_exits(self) -> None:
+        for participant in self.participants:
+            if participant.status is not None and participant.name not in self.told:
+                self.tell(participant.name, participant.status)
+
+    def tell(self, role: str, status: int) -> None:
+        """Tells the coupler that a participant is gone; it decides what that means. A signal counts negative."""
+        self.told.add(role)
+        with contextlib.suppress(OSError):
+            self.coupler.process.stdin.write(f"exited {role} {status}\n".encode())
+            self.coupler.process.stdin.flush()
+
+    def interrupt(self, number: int, _frame) -> None:
+        """The first Ctrl-C asks the coupler to end the run in good order, the second ends everything."""
+        first = self.interrupted_at is None
+        if first:
+            self.interrupted_at = time.monotonic()
+            self.display.say("Ending the run: files are closed, all programs are told. (Ctrl-C again: at once.)")
+        for child in [self.coupler] if first else [self.coupler, *self.participants]:
+            if child is not None and child.status is None:
+                child.signal(signal.Signals(number) if first else signal.SIGKILL)
+
+
+class Lines:
+    """Cuts a stream of bytes into lines."""
+
+    def __init__(self, take_line):
+        self.take_line = take_line
+        self.rest = b""
+
+    def take(self, data: bytes) -> None:
+        """Takes what was read; nothing means the end of the stream."""
+        *lines, self.rest = (self.rest + data).split(b"\n")
+        if not data and self.rest:
+            lines.append(self.rest)
+            self.rest = b""
+        for line in lines:
+            self.take_line(line.decode(errors="replace"))
+
+
+@contextlib.contextmanager
+def interruptions_call(handler):
+    """SIGINT and SIGTERM call `handler` inside the block."""
+    before = {number: signal.signal(number, handler) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield
+    finally:
+        for number, action in before.items():
+            signal.signal(number, action)
+
+
+def reachable(address: str) -> str:
+    """The bound address as a program on this machine connects to it."""
+    for everywhere in ("0.0.0.0", "[::]", "*"):
+        address = address.replace(f"//{everywhere}:", "//127.0.0.1:")
+    return address

@@ -1,0 +1,109 @@
+"""How a run is started, watched and ended."""
+
+import json
+import os
+import signal
+import unittest
+
+from fakes import FakeTest, runs
+
+
+class Running(FakeTest):
+    def test_a_completed_run_has_status_0_and_names_its_files(self):
+        status, out, err = self.fpi("run", "drop.toml")
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("step 1 of 3, t = 0.1 s, 2 sub-iterations", out)
+        self.assertIn("completed", out)
+        self.assertIn("summary.json", out)
+
+    def test_participants_get_address_log_and_fingerprint(self):
+        self.fpi("run", "drop.toml", "--out", "r")
+        self.assertEqual((self.folder / "pid.words").read_text(),
+                         "--connect tcp://127.0.0.1:5999 --scene 7 --log r/fluid_server.log")
+
+    def test_the_coupler_gets_overrides_address_and_keys(self):
+        _, out, _ = self.fpi("run", "drop.toml", "--out", "r", "--set", "a.b=1", "--set", "c=2", "--listen",
+                             "tcp://0.0.0.0:5999", "--keys", "k")
+        self.assertIn("--scene drop.toml --out r --set a.b=1 --set c=2 --watch-stdin --listen tcp://0.0.0.0:5999 "
+                      "--keys k", out)
+
+    def test_a_vanished_participant_is_told_to_the_coupler_with_its_signal(self):
+        status, out, _ = self.fpi("run", "drop.toml", fluid="die")
+        self.assertEqual(status, 1)
+        self.assertIn("failed: exited fluid -9", out)
+
+    def test_a_program_that_cannot_be_started_is_told_too(self):
+        self.scene('[{"role": "fluid", "command": "no-such-program --fast", "external": false}]')
+        status, out, err = self.fpi("run", "drop.toml")
+        self.assertEqual(status, 1)
+        self.assertIn("exited fluid 127", out)
+        self.assertIn("no-such-program", err)
+
+    def test_another_program_takes_the_role_that_the_scene_gives_it(self):
+        self.scene(f'[{{"role": "fluid", "command": "{self.bin}/fluid_server --fast", "external": false}}]')
+        status, _, _ = self.fpi("run", "drop.toml")
+        self.assertEqual(status, 0)
+        self.assertTrue((self.folder / "pid.words").read_text().startswith("--fast --connect"))
+
+    def test_an_external_program_is_not_started_but_its_command_is_shown(self):
+        self.scene('[{"role": "fluid", "command": "", "external": true}]')
+        process = self.start("run", "drop.toml")
+        lines = [process.stdout.readline() for _ in range(3)]
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertIn("start it with: --connect tcp://127.0.0.1:5999", "".join(lines))
+        self.assertFalse((self.folder / "pid").exists())
+
+    def test_quiet_prints_nothing_and_json_the_summary_only(self):
+        self.assertEqual(self.fpi("run", "drop.toml", "--quiet"), (0, "", ""))
+        status, out, _ = self.fpi("run", "drop.toml", "--json", "--out", "r")
+        self.assertEqual((status, json.loads(out)["status"], json.loads(out)["run"]), (0, "completed", "r"))
+
+    def test_a_scene_that_is_refused_makes_no_folder(self):
+        self.scene("broken")
+        status, _, err = self.fpi("run", "drop.toml")
+        self.assertEqual(status, 1)
+        self.assertIn('the key "broken" is not known', err)
+        self.assertFalse((self.folder / "runs").exists())
+
+
+class Folders(FakeTest):
+    def test_a_second_run_takes_the_next_number(self):
+        for _ in range(3):
+            self.fpi("run", "drop.toml", "--quiet")
+        self.assertEqual(sorted(path.name for path in (self.folder / "runs").iterdir()), ["drop", "drop-2", "drop-3"])
+
+    def test_results_are_never_overwritten(self):
+        (self.folder / "old").mkdir()
+        (self.folder / "old" / "summary.json").write_text("precious")
+        status, _, err = self.fpi("run", "drop.toml", "--out", "old")
+        self.assertEqual(status, 1)
+        self.assertIn("--out must name a new or empty folder", err)
+        self.assertEqual((self.folder / "old" / "summary.json").read_text(), "precious")
+
+    def test_resume_needs_a_run_folder(self):
+        status, _, err = self.fpi("resume", ".")
+        self.assertEqual(status, 1)
+        self.assertIn("scene.toml is required", err)
+
+
+class Ending(FakeTest):
+    def test_ctrl_c_ends_the_coupler_and_it_ends_the_others(self):
+        process = self.start("run", "drop.toml", "--out", "r", fluid="hang")
+        pid = self.fluid_pid()
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual(json.loads((self.folder / "r" / "summary.json").read_text())["reason"], "interrupted")
+        self.assertFalse(runs(pid))
+
+    def test_nothing_outlives_a_killed_launcher(self):
+        process = self.start("run", "drop.toml", fluid="hang")
+        pid = self.fluid_pid()
+        os.kill(process.pid, signal.SIGKILL)
+        process.communicate(timeout=60)
+        self.wait_for(lambda: not runs(pid))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,117 @@
+"""The words of `./fpi`, set-up and build, without running a scene."""
+
+import io
+import tempfile
+import unittest
+from contextlib import redirect_stdout
+from pathlib import Path
+from unittest import mock
+
+from fakes import FakeTest
+
+from launcher import build, common, packages, processes, run, scenes
+
+
+class Words(FakeTest):
+    def test_wrong_words_have_status_2_and_a_sentence(self):
+        for words, what in ((["fly"], "invalid choice"), (["run"], "SCENE"), ([], "WORD"),
+                            (["run", "drop.toml", "--jobs", "0"], "at least 1"),
+                            (["build", "--preset", "fast"], "invalid choice")):
+            status, _, err = self.fpi(*words)
+            self.assertEqual(status, 2, words)
+            self.assertIn(what, err)
+
+    def test_an_unknown_scene_names_those_that_there_are(self):
+        status, _, err = self.fpi("check", "no_such_scene")
+        self.assertEqual(status, 1)
+        self.assertIn("there is no no_such_scene", err)
+        self.assertIn("settling_disc", err)
+
+    def test_check_says_which_programs_a_scene_needs(self):
+        self.assertEqual(self.fpi("check", "drop.toml"), (0, "drop.toml: a fake; in order, participants: fluid\n", ""))
+
+    def test_list_has_every_scene_with_its_title(self):
+        status, out, _ = self.fpi("list")
+        self.assertEqual(status, 0)
+        self.assertEqual(len(out.splitlines()), len(list(scenes.FOLDER.glob("*.toml"))))
+        for line in out.splitlines():
+            self.assertGreater(len(line.split()), 3, line)
+
+
+class SetUp(unittest.TestCase):
+    def test_dpkg_is_asked_once_and_knows_what_is_there(self):
+        self.assertEqual(packages.installed(["dpkg", "no-such-package"]), {"dpkg"})
+
+    def test_nothing_missing_says_nothing(self):
+        with mock.patch.object(packages, "installed", lambda names: set(names)):
+            packages.ensure(say=self.fail)
+
+    def test_without_root_the_exact_command_is_given(self):
+        said = []
+        with mock.patch.object(packages, "installed", lambda names: set(names) - {"cmake", "libhdf5-dev"}), \
+             mock.patch.object(packages.os, "geteuid", lambda: 1000):
+            with self.assertRaises(common.Refusal) as refused:
+                packages.ensure(say=said.append)
+        self.assertIn("sudo apt-get update && sudo apt-get install -y --no-install-recommends cmake libhdf5-dev",
+                      str(refused.exception))
+        self.assertIn("results on disk", "\n".join(said))
+
+    def test_as_root_the_lists_are_updated_first(self):
+        ran, there = [], set(packages.NEEDED) - {"cmake"}
+
+        def apt(command):
+            ran.append(command[1])
+            there.add("cmake")
+
+        with mock.patch.object(packages, "installed", lambda names: there), \
+             mock.patch.object(packages.os, "geteuid", lambda: 0), mock.patch.object(packages, "run_apt", apt):
+            packages.ensure(say=lambda text: None)
+        self.assertEqual(ran, ["update", "install"])
+
+    def test_apt_that_fails_is_quoted(self):
+        with self.assertRaises(common.Refusal) as refused:
+            packages.run_apt(["sh", "-c", "echo no network; exit 100"])
+        self.assertIn("status 100", str(refused.exception))
+        self.assertIn("no network", str(refused.exception))
+
+
+class Build(unittest.TestCase):
+    def test_a_failure_is_shown_from_its_first_line_and_kept_in_the_log(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log = Path(folder) / "build.log"
+            log.touch()
+            with self.assertRaises(common.Refusal) as refused:
+                build.follow(["sh", "-c", "echo noise; echo 'FAILED: a.o'; echo a.cpp:1: error; exit 1"], log, "building",
+                             quiet=True)
+            self.assertTrue(str(refused.exception).startswith("FAILED: a.o\na.cpp:1: error"))
+            self.assertIn("noise", log.read_text())
+
+    def test_progress_is_a_line_a_quarter_where_there_is_no_terminal(self):
+        printed = io.StringIO()
+        with redirect_stdout(printed):
+            counter = build.Counter("building", quiet=False)
+            for i in range(1, 101):
+                counter.see(f"[{i}/100] Building")
+            counter.close()
+        self.assertEqual(printed.getvalue().splitlines(), [f"building: {i} of 100" for i in (25, 50, 75, 100)])
+
+
+class Parts(unittest.TestCase):
+    def test_lines_are_cut_whatever_the_chunks(self):
+        heard = []
+        lines = run.Lines(heard.append)
+        for chunk in (b"add", b"ress x\npro", b"gress y\n", b"end", b""):
+            lines.take(chunk)
+        self.assertEqual(heard, ["address x", "progress y", "end"])
+
+    def test_a_wildcard_address_is_reached_on_this_machine(self):
+        self.assertEqual(run.reachable("tcp://0.0.0.0:5555"), "tcp://127.0.0.1:5555")
+        self.assertEqual(run.reachable("tcp://10.0.0.5:5555"), "tcp://10.0.0.5:5555")
+
+    def test_an_exit_is_described_by_status_or_signal(self):
+        self.assertEqual(processes.describe(3), "status 3")
+        self.assertEqual(processes.describe(-9), "signal 9 (SIGKILL)")
+
+
+if __name__ == "__main__":
+    unittest.main()
