@@ -105,7 +105,7 @@ std::int64_t H5File::checked(std::int64_t status, const char* what, const std::s
 
 void H5File::write_array(const std::string& name, std::int64_t type, const void* values, std::size_t count,
                          const Shape& shape) {
-  require(count > 0 && product(shape) == count,
+  require(product(shape) == count,
           "an array of as many values as its shape has is required for {} of {}; got {} for a shape of {}",
           name, path_, count, product(shape));
   const std::vector<hsize_t> size = to_hsize(shape);
@@ -114,7 +114,7 @@ void H5File::write_array(const std::string& name, std::int64_t type, const void*
   const Handle set(
       checked(H5Dcreate2(id_, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), "create", name),
       H5Dclose);
-  checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write", name);
+  if (count > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write", name);
 }
 
 void H5File::write(const std::string& name, std::span<const double> values, const Shape& shape) {

@@ -25,7 +25,7 @@ class H5File {
 
   const std::string& path() const { return path_; }
 
-  /// Writes a new array; `shape` multiplies to the number of values, row-major. At least one value.
+  /// Writes a new array; `shape` multiplies to the number of values, row-major.
   void write(const std::string& name, std::span<const double> values, const Shape& shape);
   void write(const std::string& name, std::span<const std::uint32_t> values, const Shape& shape);
   void write(const std::string& name, std::span<const std::uint8_t> bytes);

@@ -1,0 +1,33 @@
+/// What the coupler says to other programs, as JSON. The JSON library stays in the source file.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plan.hpp"
+#include "proto/messages.hpp"
+#include "run.hpp"
+
+namespace fpi {
+
+/// All of summary.json.
+struct Summary {
+  std::string status = "failed";  ///< "completed" | "failed"
+  std::string reason;             ///< why failed, or ""
+  Statistics statistics;
+  /// Of participants by role, as they said goodbye; a role that was lost is there without figures.
+  std::map<std::string, proto::Figures> figures;
+  double wall_total = 0, wall_coupling = 0, wall_output = 0;  ///< [s]
+  double peak_memory = 0;                                     ///< [B] of this process
+  std::vector<std::string> body_names;
+  CoupledState bodies;
+  std::map<std::string, double> coefficients, probes;
+};
+
+std::string to_json(const Plan& plan);
+std::string to_json(const Standing& standing);
+std::string to_json(const Summary& summary);
+
+}  // namespace fpi

@@ -1,0 +1,65 @@
+/// coupler: reads the scene, owns time, iterates between fluid and DEM, and writes all results.
+
+#include <csignal>
+#include <cstdio>
+
+#include "command_line.hpp"
+#include "core/error.hpp"
+#include "json.hpp"
+#include "plan.hpp"
+#include "proto/host.hpp"
+#include "proto/keys.hpp"
+#include "run_folder.hpp"
+#include "scene/scene.hpp"
+
+namespace fpi {
+namespace {
+
+extern "C" void on_stop_signal(int) { proto::Host::interrupt(); }
+
+void listen_to_signals() {
+  std::signal(SIGINT, on_stop_signal);
+  std::signal(SIGTERM, on_stop_signal);
+  std::signal(SIGPIPE, SIG_IGN);  // a launcher that is gone must not take the results with it
+}
+
+int check_scene(const SessionOptions& options) {
+  const scene::Scene scene = scene::read_file(options.scene, options.overrides);
+  read_mesh(scene, options.scene);
+  std::printf("%s: ok, \"%s\"\n", options.scene.c_str(), scene.title.c_str());
+  return 0;
+}
+
+int carry_out(const CommandLine& line) {
+  switch (line.task) {
+    case Task::run:
+      return run_session(line.session);
+    case Task::check:
+      return check_scene(line.session);
+    case Task::plan:
+      std::puts(to_json(make_plan(scene::read_file(line.session.scene, line.session.overrides))).c_str());
+      return 0;
+    case Task::reference:
+      std::fputs(scene::reference().c_str(), stdout);
+      return 0;
+    case Task::make_keys:
+      proto::make_keys(line.keys_folder);
+      return 0;
+  }
+  return 1;
+}
+
+}  // namespace
+}  // namespace fpi
+
+int main(int argc, char** argv) {
+  const fpi::CommandLine line = fpi::read_coupler_command_line(argc, argv);
+  if (line.exit_status) return *line.exit_status;
+  fpi::listen_to_signals();
+  try {
+    return fpi::carry_out(line);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "coupler: %s\n", e.what());
+    return 1;
+  }
+}

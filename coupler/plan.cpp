@@ -1,0 +1,15 @@
+#include "plan.hpp"
+
+namespace fpi {
+
+Plan make_plan(const scene::Scene& scene) {
+  Plan plan{.title = scene.title, .scene_fingerprint = scene::fingerprint(scene), .participants = {}};
+  const auto add = [&plan](const char* role, const scene::Launch& launch) {
+    plan.participants.push_back({.role = role, .command = launch.command, .external = launch.external});
+  };
+  if (scene.needs_fluid()) add("fluid", scene.fluid->launch);
+  if (scene.needs_dem()) add("dem", scene.dem ? scene.dem->launch : scene::Launch{});
+  return plan;
+}
+
+}  // namespace fpi

@@ -1,0 +1,120 @@
+#include "recorder.hpp"
+
+#include "core/error.hpp"
+#include "wire.hpp"
+
+namespace fpi {
+namespace {
+
+std::vector<std::string> history_columns(const scene::Scene& scene) {
+  std::vector<std::string> columns{
+      "time", "step", "sub_iterations", "residual_velocity", "residual_force", "newton_iterations"};
+  for (const scene::Body& body : scene.bodies) {
+    for (const char* quantity : {"x", "y", "vx", "vy", "spin", "fx", "fy", "torque"}) {
+      columns.push_back(body.name + "." + quantity);
+    }
+  }
+  for (const scene::Probe& probe : scene.probes) columns.push_back(probe.name);
+  if (scene.coefficients) columns.insert(columns.end(), {"drag", "lift"});
+  return columns;
+}
+
+std::optional<output::BodyWriter> new_body_file(const scene::Scene& scene, const std::string& folder) {
+  if (scene.bodies.empty()) return std::nullopt;
+  std::vector<std::string> names;
+  std::vector<double> radii;
+  for (const scene::Body& body : scene.bodies) {
+    names.push_back(body.name);
+    radii.push_back(body.radius);
+  }
+  return std::optional<output::BodyWriter>(std::in_place, folder, names, radii);
+}
+
+bool has_interface(const scene::Scene& scene) { return scene.fluid && !scene.bodies.empty(); }
+
+std::string history_file(const std::string& folder) { return folder + "/history.csv"; }
+
+}  // namespace
+
+Recorder::Recorder(const scene::Scene& scene, const std::string& folder)
+    : scene_(scene),
+      folder_(folder),
+      history_(history_file(folder), history_columns(scene)),
+      bodies_(new_body_file(scene, folder)) {
+  if (has_interface(scene)) interface_.emplace(folder);
+}
+
+Recorder::Recorder(const scene::Scene& scene, const std::string& folder, const std::vector<double>& sizes)
+    : scene_(scene), folder_(folder), history_(history_file(folder), static_cast<std::size_t>(sizes.at(0))) {
+  const auto kept = [&sizes](std::size_t i) { return static_cast<std::size_t>(sizes.at(i)); };
+  if (!scene.bodies.empty()) bodies_.emplace(folder, kept(0));
+  if (has_interface(scene)) interface_.emplace(folder, kept(1));
+  if (kept(2) > 0) fields_.emplace(folder, kept(2));
+}
+
+std::vector<double> Recorder::sizes() const {
+  return {static_cast<double>(history_.size()), interface_ ? static_cast<double>(interface_->size()) : 0,
+          fields_ ? static_cast<double>(fields_->size()) : 0};
+}
+
+void Recorder::record_step(double time, const Attempt& attempt, const Simulation& simulation,
+                           const Reported& reported) {
+  std::vector<double> line{time,
+                           static_cast<double>(simulation.steps()),
+                           static_cast<double>(attempt.sub_iterations),
+                           attempt.velocity.relative,
+                           attempt.force.relative,
+                           static_cast<double>(attempt.newton_iterations)};
+  std::vector<output::BodyRow> rows;
+  for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+    const coupling::RigidMotion& motion = simulation.state().motions[i];
+    const auto& [force, torque] = simulation.state().loads[i];
+    line.insert(line.end(), {motion.position.x(), motion.position.y(), motion.velocity.x(),
+                             motion.velocity.y(), motion.spin.z(), force.x(), force.y(), torque.z()});
+    rows.push_back({.position = to_wire(motion.position),
+                    .velocity = to_wire(motion.velocity),
+                    .spin = to_wire(motion.spin),
+                    .force = to_wire(force),
+                    .torque = to_wire(torque)});
+  }
+  line.insert(line.end(), reported.probes.begin(), reported.probes.end());
+  if (const auto& c = reported.coefficients) line.insert(line.end(), {c->drag, c->lift});
+  history_.append(line);
+  if (bodies_) bodies_->append(time, rows);
+}
+
+void Recorder::record_interface(double time, const CoupledState& state) {
+  if (!interface_) return;
+  output::InterfaceArrays all;
+  for (std::uint32_t i = 0; i < state.arcs.size(); ++i) {
+    const coupling::Arcs& arcs = state.arcs[i];
+    all.body.insert(all.body.end(), arcs.size(), i);
+    all.start.insert(all.start.end(), arcs.start.begin(), arcs.start.end());
+    all.end.insert(all.end.end(), arcs.end.begin(), arcs.end.end());
+    all.traction.insert(all.traction.end(), state.tractions[i].values.begin(),
+                        state.tractions[i].values.end());
+    all.centre.insert(all.centre.end(), {arcs.centre.x(), arcs.centre.y()});
+  }
+  interface_->write(time, all);
+}
+
+void Recorder::record_fields(double time, const proto::Fields& fields) {
+  if (!fields_) fields_.emplace(folder_);
+  if (!fields_->has_mesh()) {
+    require(!fields.points.empty() && fields.points.size() % 3 == 0 && !fields.cells.empty(),
+            "the fluid must send its mesh with the first fields; got {} coordinates and {} cell corners",
+            fields.points.size(), fields.cells.size());
+    std::vector<double> points;
+    for (std::size_t p = 0; p < fields.points.size(); p += 3) {
+      points.insert(points.end(), {fields.points[p], fields.points[p + 1]});
+    }
+    fields_->write_mesh(points, fields.cells);
+  }
+  std::vector<output::FieldView> views;
+  for (const proto::Field& field : fields.fields) {
+    views.push_back({field.name, field.on_cells, field.components, field.values});
+  }
+  fields_->write(time, views);
+}
+
+}  // namespace fpi

@@ -1,0 +1,44 @@
+/// The result files of a run folder: history.csv and bodies.h5 at every step; fields.h5, fields.xdmf and
+/// interface.h5 at the steps that are written. What a scene does not have gets no file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/body_writer.hpp"
+#include "output/field_writer.hpp"
+#include "output/interface_writer.hpp"
+#include "output/table.hpp"
+#include "reported.hpp"
+#include "simulation.hpp"
+
+namespace fpi {
+
+class Recorder {
+ public:
+  /// New files in `folder`.
+  Recorder(const scene::Scene& scene, const std::string& folder);
+  /// The files of a checkpoint, without what was written after it.
+  Recorder(const scene::Scene& scene, const std::string& folder, const std::vector<double>& sizes);
+
+  /// The accepted step that ends at `time` [s].
+  void record_step(double time, const Attempt& attempt, const Simulation& simulation,
+                   const Reported& reported);
+  void record_interface(double time, const CoupledState& state);
+  void record_fields(double time, const proto::Fields& fields);
+
+  bool wants_mesh() const { return !fields_ || !fields_->has_mesh(); }
+  /// How far each file has grown, for a checkpoint.
+  std::vector<double> sizes() const;
+
+ private:
+  const scene::Scene& scene_;
+  std::string folder_;
+  output::Table history_;
+  std::optional<output::BodyWriter> bodies_;
+  std::optional<output::InterfaceWriter> interface_;
+  std::optional<output::FieldWriter> fields_;  ///< from the first fields on
+};
+
+}  // namespace fpi

@@ -1,0 +1,65 @@
+/// Participants at the other end of the wire. They have the interface of a participant in this process, so
+/// that the run does not know the difference.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "core/timer.hpp"
+#include "proto/host.hpp"
+#include "proto/participant.hpp"
+
+namespace fpi {
+
+/// What all roles share. `ledger.seconds["waiting"]` takes the time spent on answers.
+template <class Role>
+class Remote : public Role {
+ public:
+  Remote(proto::Host& host, std::string role, std::uint64_t run, Ledger& ledger)
+      : host_(host), role_(std::move(role)), stamp_{.run = run}, ledger_(ledger) {}
+
+  proto::Configured configure(const proto::Configure& message) override {
+    return ask<proto::Configured>(message);
+  }
+  proto::Accepted accept() override { return ask<proto::Accepted>(proto::Accept{}); }
+  void restore() override { ask<proto::Restored>(proto::Restore{}); }
+  proto::Fields write(const proto::Write& message) override { return ask<proto::Fields>(message); }
+  proto::State checkpoint() override { return ask<proto::State>(proto::Checkpoint{}); }
+
+ protected:
+  template <class Answer>
+  Answer advance_remotely(const proto::Stamp& stamp, proto::Message message) {
+    stamp_ = stamp;
+    return ask<Answer>(std::move(message));
+  }
+
+ private:
+  template <class Answer>
+  Answer ask(proto::Message message) {
+    const ScopedTimer timer(ledger_, "waiting");
+    return host_.ask<Answer>(role_, stamp_, std::move(message));
+  }
+
+  proto::Host& host_;
+  std::string role_;
+  proto::Stamp stamp_;  ///< of the last advance
+  Ledger& ledger_;
+};
+
+class RemoteFluid : public Remote<proto::FluidParticipant> {
+ public:
+  using Remote::Remote;
+  proto::FluidAdvanced advance(const proto::Stamp& stamp, const proto::FluidAdvance& message) override {
+    return advance_remotely<proto::FluidAdvanced>(stamp, message);
+  }
+};
+
+class RemoteDem : public Remote<proto::DemParticipant> {
+ public:
+  using Remote::Remote;
+  proto::DemAdvanced advance(const proto::Stamp& stamp, const proto::DemAdvance& message) override {
+    return advance_remotely<proto::DemAdvanced>(stamp, message);
+  }
+};
+
+}  // namespace fpi

@@ -1,0 +1,71 @@
+/// A run from its first step to its end: the time loop, steps that fail, results, checkpoints. The
+/// participants may be in this process or at the other end of the wire.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "checkpoint.hpp"
+#include "core/timer.hpp"
+#include "coupling/time_window.hpp"
+#include "recorder.hpp"
+#include "simulation.hpp"
+#include "statistics.hpp"
+
+namespace fpi {
+
+/// Where a run stands.
+struct Standing {
+  std::uint64_t step = 0, steps = 0;  ///< accepted; an estimate of all
+  double time = 0, end = 0;           ///< [s]
+  std::uint32_t sub_iterations = 0;   ///< of the step under way, or of the last
+};
+
+class Run {
+ public:
+  /// `folder` must exist; `ledger.seconds["output"]` takes the time spent on writing.
+  Run(const scene::Scene& scene, Participants participants, std::string folder, std::uint64_t run,
+      Ledger& ledger);
+
+  /// Configures the participants and begins at t = 0 with new result files.
+  void start(const MeshFile& mesh);
+  /// Configures the participants as the checkpoint in the folder has them and continues there.
+  void resume(const MeshFile& mesh);
+
+  /// To the end. Throws Error with the reason where that cannot be reached; results up to there are in the
+  /// files.
+  void march();
+
+  const Simulation& simulation() const { return simulation_; }
+  const Statistics& statistics() const { return statistics_; }
+  const Reported& last_reported() const { return reported_; }
+  Standing standing() const;
+
+  std::function<void(const Standing&)> on_progress;
+
+ private:
+  Attempt converged_attempt();
+  void solve_steady();
+  void take_step();
+  [[noreturn]] void give_up(const std::string& reason);
+  void record(double time, const Attempt& attempt, bool fields_due);
+  void write_fields(double time);
+  void save_checkpoint();
+  void report_progress();
+
+  const scene::Scene& scene_;
+  Participants participants_;
+  std::string folder_;
+  Ledger& ledger_;
+  Simulation simulation_;
+  coupling::TimeWindow window_;
+  Statistics statistics_;
+  Reported reported_;
+  std::optional<Recorder> recorder_;
+  std::optional<double> fields_time_;  ///< [s] of the last fields written
+  bool fluid_has_fields_ = true;
+  std::uint32_t sub_iterations_ = 0;
+};
+
+}  // namespace fpi

@@ -1,0 +1,202 @@
+#include "session.hpp"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <random>
+
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "json.hpp"
+#include "output/replace.hpp"
+#include "plan.hpp"
+#include "proto/host.hpp"
+#include "remote.hpp"
+#include "run.hpp"
+#include "run_folder.hpp"
+
+namespace fpi {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double peak_memory_bytes() {
+  rusage usage{};
+  return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<double>(usage.ru_maxrss) * 1024 : 0;
+}
+
+std::uint64_t random_run_number() {
+  std::random_device source;
+  return (std::uint64_t{source()} << 32) | source();
+}
+
+void say(const std::string& line) {
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+/// Prints where the run stands, ten times a second at most.
+class ProgressPrinter {
+ public:
+  void operator()(const Standing& standing) {
+    const bool last = standing.step == standing.steps;
+    if (!last && last_ && seconds_since(*last_) < 0.1) return;
+    last_ = Clock::now();
+    say("progress " + to_json(standing));
+  }
+
+ private:
+  std::optional<Clock::time_point> last_;
+};
+
+class Session {
+ public:
+  explicit Session(const SessionOptions& options) : options_(options) {}
+
+  int run() {
+    make_folder(options_.folder);
+    log::open("coupler", options_.folder + "/coupler.log", log::Level::warning);
+    try {
+      prepare();
+      admit();
+      march();
+      summary_.status = "completed";
+      summary_.reason.clear();
+    } catch (const proto::Interrupted&) {
+      summary_.reason = "stopped by the user" + where_it_stands();
+    } catch (const std::exception& e) {
+      summary_.reason = e.what() + where_it_stands();
+    }
+    finish();
+    return summary_.status == "completed" ? 0 : 1;
+  }
+
+ private:
+  void prepare() {
+    const std::string file = options_.resume ? options_.folder + "/scene.toml" : options_.scene;
+    scene_ = scene::read_file(file, options_.overrides);
+    plan_ = make_plan(scene_);
+    mesh_ = read_mesh(scene_, file);
+    if (!options_.resume) fill_folder(options_.folder, scene_, mesh_);
+    // Should this process be killed, this is what the folder says.
+    summary_.reason = "the run is under way, or it ended without a word";
+    write_summary();
+    log::info("{}: {}", options_.resume ? "resuming" : "starting", scene_.title);
+  }
+
+  void admit() {
+    const std::uint64_t run = random_run_number();
+    host_ = std::make_unique<proto::Host>(
+        proto::HostOptions{.address = options_.listen,
+                           .keys = options_.keys,
+                           .run = run,
+                           .scene_fingerprint = plan_.scene_fingerprint,
+                           .silence_timeout = scene_.coupling.participant_timeout,
+                           .watch_stdin = options_.watch_stdin});
+    say("address " + host_->address());
+    std::vector<std::string> roles;
+    std::vector<bool> external;
+    for (const PlannedParticipant& participant : plan_.participants) {
+      roles.push_back(participant.role);
+      external.push_back(participant.external);
+      summary_.figures[participant.role];
+    }
+    for (const proto::Hello& hello : host_->admit(roles, external)) check_hello(hello);
+    if (scene_.needs_fluid()) fluid_.emplace(*host_, "fluid", run, ledger_);
+    if (scene_.needs_dem()) dem_.emplace(*host_, "dem", run, ledger_);
+    run_ = std::make_unique<Run>(scene_, Participants{fluid_ ? &*fluid_ : nullptr, dem_ ? &*dem_ : nullptr},
+                                 options_.folder, run, ledger_);
+    run_->on_progress = ProgressPrinter();
+  }
+
+  void check_hello(const proto::Hello& hello) const {
+    log::info("{}: {} {}", hello.role, hello.program, hello.program_version);
+    const bool can_save = std::ranges::find(hello.capabilities, "checkpoint") != hello.capabilities.end();
+    require(can_save || (scene_.output.checkpoint_every == 0 && !options_.resume),
+            "a checkpoint needs every participant to offer it; {} ({}) does not: set output.checkpoint_every "
+            "= 0 or "
+            "use another program",
+            hello.program, hello.role);
+  }
+
+  void march() {
+    if (options_.resume) {
+      run_->resume(mesh_);
+    } else {
+      run_->start(mesh_);
+    }
+    run_->march();
+  }
+
+  std::string where_it_stands() const {
+    if (!run_) return "";
+    const Standing s = run_->standing();
+    return fmt::format(" (at step {} of about {}, t = {} s of {} s; results up to there are kept)", s.step,
+                       s.steps, s.time, s.end);
+  }
+
+  void finish() {
+    if (summary_.status != "completed") log::error("{}", summary_.reason);
+    if (host_) {
+      const std::string goodbye = summary_.status == "completed" ? "the run is complete" : summary_.reason;
+      for (auto& [role, figures] : host_->dismiss(goodbye)) summary_.figures[role] = std::move(figures);
+    }
+    try {
+      if (run_) collect_results();
+      write_summary();
+    } catch (const std::exception& e) {
+      log::error("the summary could not be written: {}", e.what());
+    }
+    log::info(
+        "{} after {} steps: {:.3g} s, of which coupling {:.3g} s and output {:.3g} s; sub-iterations {:.3g} "
+        "on "
+        "average, {} at most; largest overlap {:.3g} m",
+        summary_.status, summary_.statistics.steps(), summary_.wall_total, summary_.wall_coupling,
+        summary_.wall_output, summary_.statistics.mean_sub_iterations(),
+        summary_.statistics.max_sub_iterations(), summary_.statistics.largest_overlap());
+    log::flush();
+  }
+
+  void collect_results() {
+    summary_.statistics = run_->statistics();
+    summary_.bodies = run_->simulation().state();
+    for (const scene::Body& body : scene_.bodies) summary_.body_names.push_back(body.name);
+    const Reported& last = run_->last_reported();
+    for (std::size_t i = 0; i < last.probes.size(); ++i)
+      summary_.probes[scene_.probes[i].name] = last.probes[i];
+    if (const auto& c = last.coefficients) summary_.coefficients = {{"drag", c->drag}, {"lift", c->lift}};
+  }
+
+  void write_summary() {
+    summary_.wall_total = seconds_since(start_);
+    summary_.wall_output = ledger_.seconds["output"];
+    summary_.wall_coupling = summary_.wall_total - summary_.wall_output - ledger_.seconds["waiting"];
+    summary_.peak_memory = peak_memory_bytes();
+    output::replace_text(options_.folder + "/summary.json", to_json(summary_));
+  }
+
+  const SessionOptions& options_;
+  const Clock::time_point start_ = Clock::now();
+  Ledger ledger_;
+  scene::Scene scene_;
+  Plan plan_;
+  MeshFile mesh_;
+  std::unique_ptr<proto::Host> host_;
+  std::optional<RemoteFluid> fluid_;
+  std::optional<RemoteDem> dem_;
+  std::unique_ptr<Run> run_;
+  Summary summary_;
+};
+
+}  // namespace
+
+int run_session(const SessionOptions& options) { return Session(options).run(); }
+
+}  // namespace fpi

@@ -1,0 +1,105 @@
+/// The coupled problem from one accepted state to the next: places the bodies, lets fluid and DEM answer each
+/// other until they agree, and accepts or restores. It knows neither files nor the time loop.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupling/interface_mesh.hpp"
+#include "coupling/predictor.hpp"
+#include "coupling/prescribed_motion.hpp"
+#include "coupling/rigid_dofs.hpp"
+#include "coupling/staggered_iteration.hpp"
+#include "proto/participant.hpp"
+#include "scene/scene.hpp"
+
+namespace fpi {
+
+/// Who takes part; a null pointer where the scene does not need the role. They outlive what uses them.
+struct Participants {
+  proto::FluidParticipant* fluid = nullptr;
+  proto::DemParticipant* dem = nullptr;
+};
+
+/// Arrays of numbers by name, for a checkpoint.
+using NumbersByName = std::map<std::string, std::vector<double>>;
+
+struct MeshFile {
+  std::string name;  ///< "" where the scene has none
+  proto::Bytes bytes;
+};
+/// A participant's own state by role, for a checkpoint.
+using StatesByRole = std::map<std::string, proto::Bytes>;
+
+/// The state at the end of a step. Entry i belongs to body i; a scene without a fluid has no tractions and
+/// arcs.
+struct CoupledState {
+  std::vector<coupling::RigidMotion> motions;
+  std::vector<coupling::RigidLoad> loads;
+  std::vector<coupling::Arcs> arcs;
+  std::vector<proto::Traction> tractions;
+};
+
+struct Attempt : coupling::StepResult {
+  std::uint32_t newton_iterations = 0;  ///< of all sub-iterations
+  double largest_overlap = 0;           ///< [m] of grains
+};
+
+class Simulation {
+ public:
+  Simulation(const scene::Scene& scene, Participants participants, std::uint64_t run);
+
+  /// Sends every participant its part of the scene, and its state where a run is resumed.
+  void configure(const MeshFile& mesh, const StatesByRole& states);
+
+  /// Tries the step from `start` to `end` [s] of size `time_step` [s] (0: the steady state), always from the
+  /// last accepted state. Either `accept` or `restore` must follow.
+  Attempt attempt(double start, double end, double time_step);
+  void accept();
+  void restore();
+
+  std::uint64_t steps() const { return steps_; }  ///< accepted so far
+  const CoupledState& state() const { return accepted_; }
+  /// Probes and boundary forces that the fluid reported with the last accepted step. Throws Error for a name
+  /// that it did not report.
+  double figure(const std::string& name) const;
+
+  /// All that the following steps depend on, participants apart.
+  NumbersByName numbers() const;
+  void set_numbers(const NumbersByName& numbers);
+
+  /// Called after every exchange with the number of exchanges in the step.
+  std::function<void(std::uint32_t)> after_exchange;
+
+ private:
+  void place_bodies(double start, double end, double time_step);
+  coupling::Exchange exchange(const Eigen::VectorXd& velocities, std::uint32_t sub_iteration);
+  std::string advance_fluid(const proto::Stamp& stamp);
+  std::string advance_dem(const proto::Stamp& stamp);
+  void take_tractions(std::vector<proto::Traction> tractions);
+  void take_motions(const std::vector<proto::Motion>& motions);
+  void take_arc_lengths(const std::vector<proto::ArcLength>& lengths);
+
+  const scene::Scene& scene_;
+  Participants participants_;
+  std::uint64_t run_;
+  coupling::RigidDofs dofs_;
+  coupling::Predictor predictor_;
+  coupling::StaggeredIteration iteration_;
+  std::vector<std::optional<coupling::PrescribedMotion>> prescribed_;  ///< of bodies that are not free
+  std::vector<double> arc_lengths_;                                    ///< [m] wanted, one a body
+
+  std::uint64_t steps_ = 0;
+  CoupledState accepted_, attempted_;
+  double end_ = 0, time_step_ = 0;  ///< [s] of the attempt
+  std::vector<coupling::RigidMotion>
+      placed_;  ///< geometry that the attempt is frozen at, with its velocities
+  Attempt report_;
+  std::map<std::string, double> figures_;
+};
+
+}  // namespace fpi
