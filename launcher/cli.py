@@ -108,10 +108,7 @@ def execute(request: run.Request, plan: dict, arguments) -> int:
 
 def do_check(arguments) -> int:
     ensure_programs(quiet=False)
-    scene = scenes.find(arguments.scene)
-    plan = run.plan(scene, arguments.overrides)
-    roles = [participant["role"] for participant in plan["participants"]]
-    print(f"{scene}: {plan['title'] or 'no title'}; in order, participants: {', '.join(roles) or 'none'}")
+    print(run.check(scenes.find(arguments.scene), arguments.overrides))
     return 0
 
 

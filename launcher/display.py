@@ -36,7 +36,7 @@ class Plain(Display):
         now = time.monotonic()
         if now - self.last >= self.INTERVAL:
             self.last = now
-            print(sentence(state), flush=True)
+            print(state["text"], flush=True)
 
 
 class Rich(Display):
@@ -60,18 +60,10 @@ class Rich(Display):
     def progress(self, state: dict) -> None:
         end = state.get("end") or 0
         fraction = state.get("time", 0) / end if end > 0 else 0
-        self.bar.update(self.task, completed=fraction, description=sentence(state))
+        self.bar.update(self.task, completed=fraction, description=state["text"])
 
     def close(self) -> None:
         self.bar.stop()
-
-
-def sentence(state: dict) -> str:
-    """"step 12 of 900, t = 0.012 s, 3 sub-iterations: text"."""
-    words = f"step {state.get('step', 0)} of {state.get('steps', 0)}, t = {state.get('time', 0):.4g} s"
-    if state.get("sub_iterations"):
-        words += f", {state['sub_iterations']} sub-iterations"
-    return f"{words}: {state['text']}" if state.get("text") else words
 
 
 def choose(quiet: bool) -> Display:

@@ -22,6 +22,7 @@ BUILD = {
     "libspdlog-dev": "logs",
     "libcli11-dev": "command lines of the programs",
     "libtoml11-dev": "scene files",
+    "nlohmann-json3-dev": "summaries as JSON",
     "libmuparser-dev": "formulas in scene files",
     "libgtest-dev": "the tests",
 }

@@ -5,20 +5,20 @@ from pathlib import Path
 
 from launcher.common import Refusal
 
+COUNTS = ("unknowns", "newton_iterations", "factorisations", "solves")
+MOST_BODIES = 5
 FILES = {
     "scene.toml": "the scene as run, every default filled in",
     "summary.json": "the figures of this table and more",
     "history.csv": "forces, positions and sub-iterations of every step",
     "fields.xdmf": "velocity and pressure, for ParaView",
     "fields.h5": "the same in HDF5",
-    "bodies.xdmf": "bodies over time, for ParaView",
     "bodies.h5": "positions, velocities, forces of the bodies",
-    "interface.xdmf": "tractions on the bodies, for ParaView",
     "interface.h5": "tractions on the bodies",
     "checkpoint.h5": "where `./fpi resume` continues",
-    "coupler.log": "what each program did",
-    "fluid_server.log": "",
-    "dem_server.log": "",
+    "coupler.log": "what the coupler did",
+    "fluid_server.log": "what the fluid did",
+    "dem_server.log": "what the grains did",
     "fluid_server.out": "what the program printed outside its log",
     "dem_server.out": "what the program printed outside its log",
 }
@@ -36,26 +36,24 @@ def summary_of(run: Path) -> dict | None:
 
 
 def rows(summary: dict) -> list[tuple[str, str]]:
-    """What is worth a line at the end of a run."""
-    iterations = summary.get("sub_iterations") or {}
-    seconds = summary.get("wall_seconds") or {}
-    lines = [("status", summary["status"] + (f": {summary['reason']}" if summary.get("reason") else ""))]
-    lines.append(("steps", f"{summary.get('steps', 0)}"))
-    if iterations.get("max"):
-        lines.append(("sub-iterations", f"mean {iterations['mean']:.3g}, most {iterations['max']:g}"))
-    if summary.get("unknowns"):
-        lines.append(("fluid", f"{summary['unknowns']:g} unknowns, {summary.get('newton_iterations', 0):g} Newton "
-                      f"iterations, {summary.get('factorisations', 0):g} factorisations, "
-                      f"{summary.get('solves', 0):g} solves"))
-    for body in (summary.get("bodies") or [])[:5]:
+    """What is worth a line at the end of a run. Figures of a participant that was lost are null: left out."""
+    iterations, seconds = summary["sub_iterations"], summary["wall_seconds"]
+    lines = [("status", summary["status"] + (f": {summary['reason']}" if summary["reason"] else "")),
+             ("steps", f"{summary['steps']}")]
+    if iterations["max"]:
+        lines.append(("sub-iterations", f"mean {iterations['mean']:.3g}, most {iterations['max']}"))
+    if summary["unknowns"]:
+        counts = [f"{summary[key]} {key.replace('_', ' ')}" for key in COUNTS if summary[key] is not None]
+        lines.append(("fluid", ", ".join(counts)))
+    for body in summary["bodies"][:MOST_BODIES]:
         lines.append((body["name"], f"at {vector(body['position'])} m, velocity {vector(body['velocity'])} m/s"))
-    for name, value in (summary.get("coefficients") or {}).items():
-        lines.append((name, f"{value:.8g}"))
-    for name, value in (summary.get("probes") or {}).items():
-        lines.append((name, f"{value:.8g}"))
-    parts = sorted(((value, key) for key, value in seconds.items() if key != "total"), reverse=True)[:4]
-    lines.append(("wall time", f"{seconds.get('total', 0):.1f} s (" +
-                  ", ".join(f"{key} {value:.1f}" for value, key in parts) + ")"))
+    if len(summary["bodies"]) > MOST_BODIES:
+        lines.append(("…", f"{len(summary['bodies']) - MOST_BODIES} more bodies"))
+    for group in ("coefficients", "probes"):
+        lines += [(name, f"{value:.8g}") for name, value in summary[group].items() if value is not None]
+    parts = sorted(((value, key) for key, value in seconds.items() if key != "total" and value), reverse=True)[:4]
+    spent = ", ".join(f"{key} {value:.1f}" for value, key in parts)
+    lines.append(("wall time", f"{seconds['total']:.1f} s" + (f" ({spent})" if spent else "")))
     return lines
 
 

@@ -17,7 +17,7 @@ from launcher.display import Display
 from launcher.processes import Child, describe, end_all
 
 OURS = {"fluid": "fluid_server", "dem": "dem_server"}
-PATIENCE = 5.0  # [s] for participants after the goodbye
+PATIENCE = 3.0  # [s] for participants after the goodbye
 NOT_STARTED = 127  # the shell's status for a program that cannot be started
 INTERRUPT_PATIENCE = 15.0  # [s] for the coupler to close its files after Ctrl-C
 
@@ -35,14 +35,26 @@ class Request:
 
 def plan(scene: Path, overrides: list[str]) -> dict:
     """What the coupler says about a scene: title, fingerprint and the participants it needs."""
-    command = [str(program("coupler")), "--plan", str(scene), *set_options(overrides)]
+    text = ask("--plan", scene, overrides)
+    try:
+        return json.loads(text)
+    except json.JSONDecodeError as error:
+        raise Refusal(f"`coupler --plan` must print JSON; got {text[:200]!r} ({error})") from error
+
+
+def check(scene: Path, overrides: list[str]) -> str:
+    """The coupler's word that a scene and its mesh file are in order."""
+    return ask("--check", scene, overrides).strip()
+
+
+def ask(question: str, scene: Path, overrides: list[str]) -> str:
+    """What the coupler answers; refuses with its own words where it does."""
+    command = [str(program("coupler")), question, str(scene), *set_options(overrides)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise Refusal(done.stderr.strip() or f"`{shlex.join(command)}` ended with {describe(done.returncode)}")
-    try:
-        return json.loads(done.stdout)
-    except json.JSONDecodeError as error:
-        raise Refusal(f"`{shlex.join(command)}` must print JSON; got {done.stdout[:200]!r} ({error})") from error
+        words = done.stderr.strip().removeprefix("coupler: ")
+        raise Refusal(words or f"`{shlex.join(command)}` ended with {describe(done.returncode)}")
+    return done.stdout
 
 
 def set_options(overrides: list[str]) -> list[str]:
@@ -95,14 +107,12 @@ class Run:
 
     def coupler_command(self) -> list[str]:
         request = self.request
-        command = [str(program("coupler")), "--scene", str(request.scene), "--out", str(request.folder),
-                   *set_options(request.overrides), "--watch-stdin"]
+        command = [str(program("coupler")), "--out", str(request.folder), "--watch-stdin"]
+        command += ["--resume"] if request.resume else ["--scene", str(request.scene), *set_options(request.overrides)]
         if request.listen:
             command += ["--listen", request.listen]
         if request.keys:
             command += ["--keys", str(request.keys)]
-        if request.resume:
-            command += ["--resume"]
         return command
 
     def watch(self) -> None:

@@ -19,16 +19,20 @@ if "--plan" in words:
         sys.exit("drop.toml:1: the key \\"broken\\" is not known")
     print(json.dumps({"title": "a fake", "scene_fingerprint": 7, "participants": json.loads(scene)}))
     sys.exit(0)
+if "--check" in words:
+    print(words[words.index("--check") + 1] + ": ok")
+    sys.exit(0)
 out = words[words.index("--out") + 1]
 def end(status, reason):
-    summary = {"status": "failed" if status else "completed", "reason": reason, "steps": 3, "bodies": [],
-               "wall_seconds": {"total": 1.0, "factor": 0.5}, "sub_iterations": {"mean": 2.0, "max": 3}}
+    summary = {"status": "failed" if status else "completed", "reason": reason, "steps": 3, "unknowns": None,
+               "sub_iterations": {"mean": 2.0, "max": 3}, "wall_seconds": {"total": 1.0, "factor": None},
+               "bodies": [], "coefficients": {}, "probes": {}}
     json.dump(summary, open(os.path.join(out, "summary.json"), "w"))
     sys.exit(status)
 signal.signal(signal.SIGINT, lambda *_: end(1, "interrupted"))
 print(" ".join(words))
 print("address tcp://127.0.0.1:5999", flush=True)
-print('progress {"step": 1, "steps": 3, "time": 0.1, "end": 0.3, "sub_iterations": 2, "text": ""}', flush=True)
+print('progress {"step": 1, "steps": 3, "time": 0.1, "end": 0.3, "sub_iterations": 2, "text": "step 1 of 3"}', flush=True)
 for line in sys.stdin:
     if line.split()[2] != "0":
         end(1, line.strip())

@@ -27,8 +27,8 @@ class Words(FakeTest):
         self.assertIn("there is no no_such_scene", err)
         self.assertIn("settling_disc", err)
 
-    def test_check_says_which_programs_a_scene_needs(self):
-        self.assertEqual(self.fpi("check", "drop.toml"), (0, "drop.toml: a fake; in order, participants: fluid\n", ""))
+    def test_check_gives_the_word_of_the_coupler(self):
+        self.assertEqual(self.fpi("check", "drop.toml"), (0, "drop.toml: ok\n", ""))
 
     def test_list_has_every_scene_with_its_title(self):
         status, out, _ = self.fpi("list")
