@@ -1,0 +1,56 @@
+/// Conditions on the outer boundary: which velocity components of which nodes are given, and tractions
+/// (paper, eq. 7). Where parts meet in a node, no_slip goes before velocity, velocity before slip.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/expression.hpp"
+#include "fluid/mesh.hpp"
+#include "scene/fluid.hpp"
+
+namespace fpi::fluid {
+
+/// How much of a node's velocity is given.
+enum class Constraint : std::uint8_t { none, normal, both };
+
+class Boundary {
+ public:
+  /// Throws Error for a part of the mesh without a condition, or a condition for a part that is not there.
+  Boundary(const Mesh& mesh, const std::map<std::string, scene::Boundary>& conditions);
+
+  Constraint constraint(Index node) const { return constraint_[node]; }
+  /// Unit normal of a node whose normal velocity is 0; its unknown is the component along (−n_y, n_x).
+  const Vec2& normal(Index node) const { return normal_[node]; }
+
+  /// Sets the given velocities at time t [s] in u (x, y of each node) [m/s].
+  void impose(double t, Vector& u) const;
+  /// Adds ∫ w·t̄ over the traction parts at time t [s] to `load` [N/m].
+  void add_tractions(double t, Vector& load) const;
+  /// True where nothing here depends on time.
+  bool is_steady() const { return is_steady_; }
+
+  /// True for a part on which the normal velocity is free, so that the pressure level is known.
+  bool is_open(Index boundary) const { return parts_[boundary].type == Type::traction; }
+  /// Nodes of a named part, each node in one part only (the one that constrains it).
+  const std::vector<Index>& nodes(Index boundary) const { return parts_[boundary].nodes; }
+
+ private:
+  enum class Type { no_slip, velocity, slip, traction };  // in the order of precedence
+  struct Part {
+    Type type;
+    Expression x, y;  ///< velocity or traction
+    std::vector<Index> nodes;
+  };
+  void assign_nodes();
+  void find_slip_normals();
+
+  const Mesh& mesh_;
+  std::vector<Part> parts_;  // of each Mesh::boundary_names
+  std::vector<Constraint> constraint_;
+  std::vector<Vec2> normal_;
+  bool is_steady_ = true;
+};
+
+}  // namespace fpi::fluid

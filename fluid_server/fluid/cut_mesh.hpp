@@ -1,0 +1,57 @@
+/// The mesh as the bodies cut it: which elements are fluid, cut or deactivated (paper, section 2.4),
+/// quadrature of the cut ones over Ω⁺, and the arcs split where they cross mesh edges. Only elements near a
+/// body are looked at.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fluid/element.hpp"
+#include "fluid/interface.hpp"
+#include "fluid/locator.hpp"
+#include "fluid/mesh.hpp"
+
+namespace fpi::fluid {
+
+enum class CellState : std::uint8_t { fluid, cut, solid };
+
+/// A stretch of one arc inside one element.
+struct ArcPiece {
+  Index cell;
+  Index interface;    ///< index in the list of interfaces
+  Index arc;          ///< number of the arc on its body
+  Index multiplier;   ///< number of the arc among all of them
+  double start, end;  ///< [rad]
+};
+
+struct CutCell {
+  Index cell;
+  std::vector<ElementPoint> points;  ///< over the fluid part; weights in m²
+};
+
+/// A node inside a body, which moves with it.
+struct CoveredNode {
+  Index node;
+  Index interface;
+};
+
+struct CutMesh {
+  std::vector<CellState> state;  ///< of every cell
+  std::vector<CutCell> cut_cells;
+  std::vector<ArcPiece> pieces;
+  std::vector<Index> ghost_edges;       ///< between two active cells of which one is cut
+  std::vector<CoveredNode> covered;     ///< nodes inside a body
+  std::vector<Index> first_multiplier;  ///< of each interface; one more entry at the end
+  std::vector<double> active_length;    ///< [m] of each arc that lies in the fluid domain
+
+  bool is_active(Index cell) const { return state[cell] != CellState::solid; }
+  Index n_multipliers() const { return first_multiplier.back(); }
+};
+
+CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces);
+
+/// Arc length that suits the mesh around a circle: `ratio` times the mean size h of the elements it cuts. For
+/// a disc within one element, of the element that holds its centre; 0 outside the mesh.
+double wanted_arc_length(const Mesh& mesh, const Locator& locator, const Disc& disc, double ratio);
+
+}  // namespace fpi::fluid

@@ -1,0 +1,75 @@
+#include "fluid/locator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fpi::fluid {
+namespace {
+
+std::pair<Vec2, Vec2> bounding_box(const Mesh& mesh, Index cell) {
+  const auto c = mesh.corners(cell);
+  return {c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])};
+}
+
+}  // namespace
+
+Locator::Locator(const Mesh& mesh) : mesh_(mesh), lower_(mesh.vertices.front()), upper_(lower_) {
+  for (const Vec2& v : mesh.vertices) {
+    lower_ = lower_.cwiseMin(v);
+    upper_ = upper_.cwiseMax(v);
+  }
+  const Vec2 extent = upper_ - lower_;
+  bin_ = std::sqrt(extent.x() * extent.y() / mesh.n_cells()) * 1.5;
+  n_x_ = std::max(1, static_cast<int>(extent.x() / bin_));
+  n_y_ = std::max(1, static_cast<int>(extent.y() / bin_));
+
+  const auto for_bins = [&](auto&& act) {
+    for (Index c = 0; c < mesh_.n_cells(); ++c) {
+      const auto [low, high] = bounding_box(mesh_, c);
+      for (int j = row(low.y()); j <= row(high.y()); ++j)
+        for (int i = column(low.x()); i <= column(high.x()); ++i) act(j * n_x_ + i, c);
+    }
+  };
+  first_.assign(n_x_ * n_y_ + 1, 0);
+  for_bins([&](int bin, Index) { ++first_[bin + 1]; });
+  for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
+  cells_.resize(first_.back());
+  std::vector<Index> next(first_.begin(), first_.end() - 1);
+  for_bins([&](int bin, Index c) { cells_[next[bin]++] = c; });
+}
+
+int Locator::column(double x) const {
+  return static_cast<int>(std::clamp((x - lower_.x()) / bin_, 0.0, static_cast<double>(n_x_ - 1)));
+}
+int Locator::row(double y) const {
+  return static_cast<int>(std::clamp((y - lower_.y()) / bin_, 0.0, static_cast<double>(n_y_ - 1)));
+}
+
+std::vector<Index> Locator::near(const Vec2& lower, const Vec2& upper) const {
+  std::vector<Index> out;
+  for (int j = row(lower.y()); j <= row(upper.y()); ++j)
+    for (int i = column(lower.x()); i <= column(upper.x()); ++i) {
+      const int bin = j * n_x_ + i;
+      out.insert(out.end(), cells_.begin() + first_[bin], cells_.begin() + first_[bin + 1]);
+    }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+Index Locator::find(const Vec2& x) const {
+  constexpr double round_off = -1e-10;
+  Index best = -1;
+  double best_least = round_off;
+  for (Index c : near(x, x)) {
+    const auto l = Triangle(mesh_.corners(c)).barycentric(x);
+    const double least = std::min({l[0], l[1], l[2]});
+    if (least >= best_least) {
+      best = c;
+      best_least = least;
+    }
+  }
+  return best;
+}
+
+}  // namespace fpi::fluid

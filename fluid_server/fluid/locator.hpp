@@ -1,0 +1,30 @@
+/// Which triangles are near a point or a box: a uniform grid of bins over the mesh, built once.
+#pragma once
+
+#include "fluid/element.hpp"
+#include "fluid/mesh.hpp"
+
+namespace fpi::fluid {
+
+class Locator {
+ public:
+  explicit Locator(const Mesh& mesh);
+
+  /// Cells whose bounding box may overlap [lower, upper]; each once, ascending.
+  std::vector<Index> near(const Vec2& lower, const Vec2& upper) const;
+
+  /// The cell that holds x (to round-off), or -1 outside the mesh.
+  Index find(const Vec2& x) const;
+
+ private:
+  int column(double x) const;
+  int row(double y) const;
+
+  const Mesh& mesh_;
+  Vec2 lower_, upper_;
+  double bin_ = 1;
+  int n_x_ = 1, n_y_ = 1;
+  std::vector<Index> first_, cells_;  // bin b holds cells_[first_[b]] … cells_[first_[b + 1] - 1]
+};
+
+}  // namespace fpi::fluid

@@ -1,0 +1,72 @@
+/// The fixed Eulerian mesh: straight triangles with numbered edges and a named outer boundary. P2 nodes are
+/// the vertices followed by the middles of the edges (paper, figure 4); P1 nodes are the vertices.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "fluid/types.hpp"
+
+namespace fpi::fluid {
+
+struct BoundaryEdge {
+  Index edge;
+  Index cell;      ///< the one triangle beside it
+  Index boundary;  ///< index in Mesh::boundary_names
+};
+
+struct Mesh {
+  std::vector<Vec2> vertices;                    ///< [m]
+  std::vector<std::array<Index, 3>> cells;       ///< vertices, counter-clockwise
+  std::vector<std::array<Index, 2>> edges;       ///< vertices, the smaller number first
+  std::vector<std::array<Index, 3>> cell_edges;  ///< edges 01, 12, 20 of each cell
+  std::vector<std::array<Index, 2>> edge_cells;  ///< one or two cells; -1 outside
+  std::vector<BoundaryEdge> boundary;
+  std::vector<std::string> boundary_names;
+
+  Index n_vertices() const { return static_cast<Index>(vertices.size()); }
+  Index n_cells() const { return static_cast<Index>(cells.size()); }
+  Index n_edges() const { return static_cast<Index>(edges.size()); }
+  Index n_nodes() const { return n_vertices() + n_edges(); }
+
+  /// P2 nodes of a cell: three vertices, then the middles of edges 01, 12, 20.
+  std::array<Index, 6> cell_nodes(Index cell) const {
+    const auto& v = cells[cell];
+    const auto& e = cell_edges[cell];
+    const Index n = n_vertices();
+    return {v[0], v[1], v[2], n + e[0], n + e[1], n + e[2]};
+  }
+  std::array<Vec2, 3> corners(Index cell) const {
+    const auto& v = cells[cell];
+    return {vertices[v[0]], vertices[v[1]], vertices[v[2]]};
+  }
+  Vec2 node_position(Index node) const {
+    if (node < n_vertices()) return vertices[node];
+    const auto& e = edges[node - n_vertices()];
+    return 0.5 * (vertices[e[0]] + vertices[e[1]]);
+  }
+  /// P2 nodes of an edge: its vertices and its middle.
+  std::array<Index, 3> edge_nodes(Index edge) const {
+    return {edges[edge][0], edges[edge][1], n_vertices() + edge};
+  }
+  double area(Index cell) const {
+    const auto c = corners(cell);
+    return 0.5 * cross(c[1] - c[0], c[2] - c[0]);
+  }
+  /// Local element size h = √(2·area) [m].
+  double size(Index cell) const { return std::sqrt(2 * area(cell)); }
+};
+
+/// A boundary edge by its vertices, as mesh files and generators know it.
+struct NamedEdge {
+  std::array<Index, 2> vertices;
+  Index boundary;
+};
+
+/// Numbers the edges and checks the mesh: triangles turned counter-clockwise, no degenerate triangle, every
+/// outer edge named, no more than two triangles an edge. Throws Error naming the place.
+Mesh make_mesh(std::vector<Vec2> vertices, std::vector<std::array<Index, 3>> cells,
+               const std::vector<NamedEdge>& named_edges, std::vector<std::string> boundary_names);
+
+}  // namespace fpi::fluid

@@ -1,0 +1,233 @@
+#include "fluid/navier_stokes.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/error.hpp"
+
+namespace fpi::fluid {
+namespace {
+
+Vector nodal_values(const Mesh& mesh, const std::vector<std::string>& formulas) {
+  const Expression x_formula(formulas[0]), y_formula(formulas[1]);
+  Vector u(2 * mesh.n_nodes());
+  for (Index node = 0; node < mesh.n_nodes(); ++node) {
+    const Vec2 x = mesh.node_position(node);
+    u.segment<2>(2 * node) = Vec2(x_formula(x.x(), x.y(), 0), y_formula(x.x(), x.y(), 0));
+  }
+  return u;
+}
+
+}  // namespace
+
+NavierStokes::NavierStokes(Mesh mesh, Settings settings)
+    : settings_(std::move(settings)),
+      flow_{settings_.fluid.density, settings_.fluid.viscosity(), settings_.fluid.convection,
+            settings_.fluid.viscous_form == "symmetric"},
+      body_force_{Expression(settings_.fluid.body_force[0]), Expression(settings_.fluid.body_force[1])},
+      space_(std::move(mesh), settings_.fluid.boundaries) {
+  accepted_.u = nodal_values(space_.mesh, settings_.fluid.initial_velocity);
+  accepted_.acceleration = Vector::Zero(accepted_.u.size());
+  accepted_.p = Vector::Zero(space_.mesh.n_vertices());
+  space_.boundary.impose(0, accepted_.u);
+}
+
+Result NavierStokes::advance(const Request& request) {
+  require(request.time_step >= 0, "a time step ≥ 0 s is required; got {}", request.time_step);
+  const unsigned k = request.sub_iteration;
+  if (k == 0) {
+    start_step(request);
+  } else {
+    require(last_ && (k == last_->sub_iteration + 1 || k == last_->sub_iteration),
+            "sub-iteration {} must follow sub-iteration {}", k, k - 1);
+    require(last_->time == request.time && last_->time_step == request.time_step &&
+                system_->same_geometry(request.interfaces),
+            "all sub-iterations of a step share its time and the place of the interfaces; sub-iteration {} "
+            "differs",
+            k);
+    if (k == last_->sub_iteration + 1) base_ = current_;
+  }
+  system_->set_velocities(request.interfaces);
+  last_ = request;
+  Result result;
+  result.newton = solve_step(request);
+  if (result.newton.converged) result.tractions = tractions();
+  return result;
+}
+
+void NavierStokes::start_step(const Request& request) {
+  if (!system_ || !system_->same_geometry(request.interfaces)) {
+    monitor.phase("interface");
+    system_ = std::make_shared<System>(space_, settings_.fluid.embedding, request.interfaces,
+                                       settings_.bodies_move, monitor.ledger);
+  }
+  const bool steady = request.time_step == 0;
+  if (!steady && !accepted_.has_acceleration && settings_.fluid.newmark_gamma < 1 && !settings_.bodies_move)
+    find_initial_acceleration(request);
+
+  const Mesh& mesh = space_.mesh;
+  if (steady) {
+    time_terms_ = TimeTerms::steady(mesh.n_nodes());
+  } else {
+    // Bodies that move start with backward Euler: their first acceleration is a result of the coupling.
+    const double gamma = accepted_.has_acceleration ? settings_.fluid.newmark_gamma : 1;
+    const Vector gammas = settings_.bodies_move ? gamma_of_nodes(mesh, system_->cut(), gamma)
+                                                : Vector::Constant(mesh.n_nodes(), gamma);
+    time_terms_ = newmark(accepted_.u, accepted_.acceleration, request.time_step, gammas);
+  }
+  system_->set_load(request.time, body_force_);
+  base_.fields = {accepted_.u + request.time_step * accepted_.acceleration, accepted_.p,
+                  Vector::Zero(2 * system_->cut().n_multipliers())};
+  const bool factor_fits = system_ == accepted_system_ && request.time_step == accepted_time_step_;
+  base_.factor = factor_fits ? accepted_factor_ : nullptr;
+}
+
+/// Two backward Euler steps of vanishing length: the first makes the velocity divergence-free and has it meet
+/// the boundaries, the second finds the acceleration that the equations and the boundaries then ask for.
+void NavierStokes::find_initial_acceleration(const Request& request) {
+  const double tiny = 1e-6 * request.time_step;
+  const Vector ones = Vector::Ones(space_.mesh.n_nodes());
+  system_->set_velocities(request.interfaces);
+  Iterate iterate{{accepted_.u, accepted_.p, Vector::Zero(2 * system_->cut().n_multipliers())}, nullptr};
+  for (const double t : {accepted_.time, accepted_.time + tiny}) {
+    const Vector before = iterate.fields.u;
+    const TimeTerms terms = newmark(before, accepted_.acceleration, tiny, ones);
+    system_->set_load(t, body_force_);
+    space_.boundary.impose(t, iterate.fields.u);
+    const NewtonResult result = solve(*system_, flow_, terms, settings_.fluid.newton, iterate, monitor);
+    require(result.converged,
+            "a consistent initial acceleration was not found: {}: start from a smoother state",
+            result.reason);
+    accepted_.u = before;
+    if (t > accepted_.time) accepted_.acceleration = terms.acceleration(iterate.fields.u);
+  }
+  accepted_.p = iterate.fields.p;
+  accepted_.has_acceleration = true;
+}
+
+NewtonResult NavierStokes::solve_step(const Request& request) {
+  current_ = base_;
+  space_.boundary.impose(request.time, current_.fields.u);
+  for (Index v : system_->numbering().pinned) current_.fields.p[v] = 0;
+  if (request.time_step == 0 && flow_.convection && request.sub_iteration == 0) {
+    Flow stokes = flow_;
+    stokes.convection = false;
+    current_.factor.reset();
+    const NewtonResult start =
+        solve(*system_, stokes, time_terms_, settings_.fluid.newton, current_, monitor);
+    current_.factor.reset();
+    if (!start.converged) return start;
+  }
+  return solve(*system_, flow_, time_terms_, settings_.fluid.newton, current_, monitor);
+}
+
+std::vector<BodyTraction> NavierStokes::tractions() const {
+  const auto resultants = system_->resultants(current_.fields.lambda);
+  const auto& interfaces = system_->interfaces();
+  std::vector<BodyTraction> out(interfaces.size());
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    const Interface& interface = interfaces[i];
+    const Index first = system_->cut().first_multiplier[i];
+    out[i].body = interface.body;
+    for (Index a = 0; a < interface.n_arcs(); ++a)
+      out[i].lambda.push_back(current_.fields.lambda.segment<2>(2 * (first + a)));
+    const double area = std::numbers::pi * interface.radius * interface.radius;
+    out[i].force = resultants[i].force - flow_.density * area * settings_.gravity;
+    out[i].torque = resultants[i].torque;
+    out[i].arc_length = arc_length(interface.disc());
+  }
+  return out;
+}
+
+void NavierStokes::accept() {
+  require(last_.has_value(), "accept must follow an advance");
+  const Fields& fields = current_.fields;
+  if (settings_.measure_boundaries) measure_boundaries();
+  accepted_.time = last_->time;
+  accepted_.acceleration = time_terms_.acceleration(fields.u);
+  accepted_.has_acceleration = last_->time_step > 0;
+  accepted_.u = fields.u;
+  accepted_.p = fields.p;
+  // What bodies cover moves with them, so that a node they uncover has a history.
+  for (const CoveredNode& covered : system_->cut().covered) {
+    if (system_->numbering().node_is_active[covered.node]) continue;
+    const RigidVelocity& rigid = system_->interfaces()[covered.interface].rigid;
+    accepted_.u.segment<2>(2 * covered.node) = rigid(space_.mesh.node_position(covered.node));
+    accepted_.acceleration.segment<2>(2 * covered.node).setZero();
+  }
+  accepted_factor_ = current_.factor;
+  accepted_time_step_ = last_->time_step;
+  accepted_system_ = system_;
+  last_.reset();
+}
+
+void NavierStokes::restore() { last_.reset(); }
+
+void NavierStokes::set_state(State state) {
+  require(state.u.size() == accepted_.u.size() && state.acceleration.size() == accepted_.u.size() &&
+              state.p.size() == accepted_.p.size(),
+          "the state belongs to another mesh: resume with the scene that the run was started with");
+  accepted_ = std::move(state);
+  system_.reset();
+  accepted_system_.reset();
+  drop_caches();
+}
+
+void NavierStokes::drop_caches() {
+  accepted_factor_.reset();
+  base_.factor.reset();
+  current_.factor.reset();
+}
+
+double NavierStokes::arc_length(const Disc& disc) const {
+  return wanted_arc_length(space_.mesh, space_.locator, disc, settings_.fluid.embedding.arc_ratio);
+}
+
+std::vector<bool> NavierStokes::active_cells() const {
+  std::vector<bool> active(space_.mesh.n_cells(), true);
+  if (accepted_system_)
+    for (Index c = 0; c < space_.mesh.n_cells(); ++c) active[c] = accepted_system_->cut().is_active(c);
+  return active;
+}
+
+std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
+  const Index c = space_.locator.find(x);
+  if (c < 0 || (accepted_system_ && !accepted_system_->cut().is_active(c))) return std::nullopt;
+  const auto l = space_.triangles[c].barycentric(x);
+  const Padded n = p2_at(l);
+  const auto nodes = space_.mesh.cell_nodes(c);
+  Vec2 u = Vec2::Zero();
+  double p = 0;
+  for (int i = 0; i < 6; ++i) u += n[i] * accepted_.u.segment<2>(2 * nodes[i]);
+  for (int i = 0; i < 3; ++i) p += l[i] * accepted_.p[space_.mesh.cells[c][i]];
+  return std::pair{u, p};
+}
+
+/// The residual of the nodes that a boundary holds is what it does to the fluid, to the order of the scheme.
+void NavierStokes::measure_boundaries() {
+  const ScopedTimer timer(monitor.ledger, "assembly");
+  const Residual residual = system_->assemble(flow_, current_.fields, time_terms_, false);
+  boundary_forces_.clear();
+  for (Index b = 0; b < static_cast<Index>(space_.mesh.boundary_names.size()); ++b) {
+    if (space_.boundary.is_open(b)) continue;
+    Vec2 force = Vec2::Zero();
+    for (Index node : space_.boundary.nodes(b)) force -= residual.u.segment<2>(2 * node);
+    boundary_forces_.emplace_back(space_.mesh.boundary_names[b], force);
+  }
+}
+
+std::vector<std::string> NavierStokes::notes() const {
+  std::vector<std::string> notes;
+  if (!flow_.convection) notes.emplace_back("no convection: one linear solve a step");
+  if (!settings_.bodies_move)
+    notes.emplace_back("no body moves: the cut geometry and its ordering are found once");
+  if (!flow_.convection && !settings_.bodies_move)
+    notes.emplace_back("the matrix does not change: one factorisation serves every step of equal length");
+  if (body_force_[0].is_zero() && body_force_[1].is_zero())
+    notes.emplace_back("no body force: none is integrated");
+  if (!settings_.measure_boundaries)
+    notes.emplace_back("no force on a boundary is asked for: none is measured");
+  return notes;
+}
+
+}  // namespace fpi::fluid

@@ -1,0 +1,106 @@
+/// The fluid for a given motion of the bodies: `advance` from the last accepted state as often as the
+/// coupling needs, then `accept`, or `restore` and a shorter step. Forces are per metre of thickness.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fluid/newton.hpp"
+#include "fluid/time_scheme.hpp"
+
+namespace fpi::fluid {
+
+struct Settings {
+  scene::Fluid fluid;
+  Vec2 gravity = Vec2::Zero();  ///< [m/s²]
+  bool bodies_move = false;
+  bool measure_boundaries = false;  ///< forces on named boundaries are wanted
+};
+
+/// What the fluid is asked for in one sub-iteration.
+struct Request {
+  double time = 0;       ///< at the end of the step [s]
+  double time_step = 0;  ///< [s]; 0: the steady state
+  unsigned sub_iteration = 0;
+  std::vector<Interface> interfaces;
+};
+
+struct BodyTraction {
+  Index body = 0;
+  std::vector<Vec2> lambda;   ///< force density that the fluid exerts on each arc [Pa]
+  Vec2 force = Vec2::Zero();  ///< with the buoyancy [N/m]
+  double torque = 0;          ///< about the centre [N]
+  double arc_length = 0;      ///< wanted next [m]
+};
+
+struct Result {
+  NewtonResult newton;
+  std::vector<BodyTraction> tractions;
+};
+
+/// All that a step starts from.
+struct State {
+  double time = 0;
+  Vector u, acceleration, p;
+  bool has_acceleration = false;
+};
+
+class NavierStokes {
+ public:
+  NavierStokes(Mesh mesh, Settings settings);
+
+  /// Throws Error where the request makes no sense; not converging is an ordinary outcome.
+  /// Sub-iteration 0 starts from the accepted state, k > 0 from the result of k − 1. The same requests give
+  /// bitwise the same results.
+  Result advance(const Request& request);
+  void accept();
+  void restore();
+
+  const Mesh& mesh() const { return space_.mesh; }
+  const State& state() const { return accepted_; }
+  /// Continues from `state`; drops every cache, so that what follows does not depend on what was before.
+  void set_state(State state);
+  /// Drops factors; see Participant::checkpoint.
+  void drop_caches();
+
+  double arc_length(const Disc& disc) const;
+  /// Cells of the accepted state that are in the fluid, wholly or in part.
+  std::vector<bool> active_cells() const;
+  Index n_unknowns() const { return system_ ? system_->numbering().n_equations : 0; }
+  /// Velocity [m/s] and pressure [Pa] of the accepted state; nothing inside a body or outside the mesh.
+  std::optional<std::pair<Vec2, double>> at(const Vec2& x) const;
+  /// Force of the fluid on each named boundary that holds it, as of the last accept [N/m].
+  const std::vector<std::pair<std::string, Vec2>>& boundary_forces() const { return boundary_forces_; }
+  /// What this scene does not need, as sentences.
+  std::vector<std::string> notes() const;
+
+  Monitor monitor;
+
+ private:
+  void start_step(const Request& request);
+  void find_initial_acceleration(const Request& request);
+  NewtonResult solve_step(const Request& request);
+  std::vector<BodyTraction> tractions() const;
+  void measure_boundaries();
+
+  Settings settings_;
+  Flow flow_;
+  std::array<Expression, 2> body_force_;
+  Space space_;
+  State accepted_;
+  std::vector<std::pair<std::string, Vec2>> boundary_forces_;
+
+  std::shared_ptr<System> system_;  // of the last geometry asked for
+  TimeTerms time_terms_;
+  double time_step_ = -1;   // that the factor belongs to
+  Iterate base_, current_;  // before and after the last sub-iteration
+  std::shared_ptr<const Factor> accepted_factor_;
+  double accepted_time_step_ = -1;
+  std::shared_ptr<System> accepted_system_;
+  std::optional<Request> last_;  // nothing since the last accept or restore
+};
+
+}  // namespace fpi::fluid

@@ -1,0 +1,94 @@
+#include "fluid/numbering.hpp"
+
+#include <numeric>
+
+namespace fpi::fluid {
+namespace {
+
+/// Union–find with path halving.
+class Components {
+ public:
+  explicit Components(Index n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  Index find(Index a) {
+    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
+    return a;
+  }
+  void join(Index a, Index b) { parent_[find(a)] = find(b); }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+/// True where a disc covers the whole edge, so that no fluid passes.
+bool is_blocked(const Mesh& mesh, Index edge, std::span<const Disc> discs) {
+  const Vec2 a = mesh.vertices[mesh.edges[edge][0]], b = mesh.vertices[mesh.edges[edge][1]];
+  for (const Disc& disc : discs)
+    if (disc.contains(a) && disc.contains(b)) return true;
+  return false;
+}
+
+/// One vertex of each fluid component that has no open boundary: its pressure is pinned.
+std::vector<Index> pinned_vertices(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
+                                   std::span<const Disc> discs) {
+  Components components(mesh.n_cells());
+  for (Index e = 0; e < mesh.n_edges(); ++e) {
+    const auto [c1, c2] = mesh.edge_cells[e];
+    if (c2 == -1 || !cut.is_active(c1) || !cut.is_active(c2)) continue;
+    const bool near_body = cut.state[c1] == CellState::cut && cut.state[c2] == CellState::cut;
+    if (!near_body || !is_blocked(mesh, e, discs)) components.join(c1, c2);
+  }
+  std::vector<std::uint8_t> has_level(mesh.n_cells(), 0);
+  for (const BoundaryEdge& b : mesh.boundary)
+    if (cut.is_active(b.cell) && boundary.is_open(b.boundary)) has_level[components.find(b.cell)] = 1;
+  std::vector<Index> pinned;
+  for (Index c = 0; c < mesh.n_cells(); ++c) {
+    if (cut.state[c] != CellState::fluid)
+      continue;  // a cut element's corner may be held by the penalty alone
+    const Index root = components.find(c);
+    if (has_level[root]) continue;
+    has_level[root] = 1;
+    pinned.push_back(mesh.cells[c][0]);
+  }
+  return pinned;
+}
+
+}  // namespace
+
+Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
+                          std::span<const Interface> interfaces) {
+  constexpr Index absent = -1, wanted = 0;
+  Numbering out;
+  out.velocity.assign(2 * static_cast<std::size_t>(mesh.n_nodes()), absent);
+  out.pressure.assign(mesh.n_vertices(), absent);
+  out.multiplier.assign(2 * static_cast<std::size_t>(cut.n_multipliers()), absent);
+  out.node_is_active.assign(mesh.n_nodes(), 0);
+
+  for (Index c = 0; c < mesh.n_cells(); ++c) {
+    if (!cut.is_active(c)) continue;
+    for (Index node : mesh.cell_nodes(c)) out.node_is_active[node] = 1;
+    for (Index v : mesh.cells[c]) out.pressure[v] = wanted;
+  }
+  std::vector<Disc> discs;
+  for (const Interface& interface : interfaces) discs.push_back(interface.disc());
+  out.pinned = pinned_vertices(mesh, boundary, cut, discs);
+  for (Index v : out.pinned) out.pressure[v] = absent;
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
+    for (Index a = 0; a < interfaces[i].n_arcs(); ++a) {
+      const Index m = cut.first_multiplier[i] + a;
+      const double length = (interfaces[i].end[a] - interfaces[i].start[a]) * interfaces[i].radius;
+      if (cut.active_length[m] > 0.05 * length) out.multiplier[2 * m] = out.multiplier[2 * m + 1] = wanted;
+    }
+
+  for (Index node = 0; node < mesh.n_nodes(); ++node) {
+    if (!out.node_is_active[node] || boundary.constraint(node) == Constraint::both) continue;
+    if (boundary.constraint(node) == Constraint::none) out.velocity[2 * node] = out.n_equations++;
+    out.velocity[2 * node + 1] = out.n_equations++;
+  }
+  for (Index& equation : out.pressure)
+    if (equation == wanted) equation = out.n_equations++;
+  for (Index& equation : out.multiplier)
+    if (equation == wanted) equation = out.n_equations++;
+  return out;
+}
+
+}  // namespace fpi::fluid

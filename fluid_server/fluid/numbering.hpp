@@ -1,0 +1,26 @@
+/// Which unknowns are in the system: velocities of active nodes that the boundary does not give, pressures of
+/// active vertices except one pinned where a fluid component knows no pressure level, multipliers of arcs in
+/// the fluid.
+#pragma once
+
+#include <vector>
+
+#include "fluid/boundary.hpp"
+#include "fluid/cut_mesh.hpp"
+
+namespace fpi::fluid {
+
+struct Numbering {
+  std::vector<Index> velocity;  ///< equation of 2·node + component, or −1. At a slip node: normal, tangential
+  std::vector<Index> pressure;    ///< equation of each vertex, or −1
+  std::vector<Index> multiplier;  ///< equation of 2·arc + component, or −1
+  std::vector<Index> pinned;      ///< vertices whose pressure is set to 0
+  std::vector<std::uint8_t> node_is_active;
+  Index n_equations = 0;
+};
+
+/// An arc is in the system where more than a twentieth of it lies in the fluid.
+Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
+                          std::span<const Interface> interfaces);
+
+}  // namespace fpi::fluid

@@ -1,0 +1,97 @@
+#include "fluid/rectangle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace fpi::fluid {
+namespace {
+
+/// Distances 0 = d0 < d1 < … = length that start near `first` and grow by `growth` up to `largest`.
+std::vector<double> growing_distances(double length, double first, double growth, double largest) {
+  std::vector<double> d{0};
+  if (length <= 0) return d;
+  double step = first;
+  while (d.back() < length) {
+    step = std::min(step * growth, largest);
+    d.push_back(d.back() + step);
+  }
+  // Ending nearer to the last line or the one before it decides whether steps are squeezed or stretched.
+  if (d.size() > 2 && d.back() - length > length - d[d.size() - 2]) d.pop_back();
+  const double scale = length / d.back();
+  for (double& value : d) value *= scale;
+  return d;
+}
+
+}  // namespace
+
+std::vector<double> uniform_lines(double lower, double upper, Index cells) {
+  std::vector<double> lines(cells + 1);
+  for (Index i = 0; i <= cells; ++i) lines[i] = lower + (upper - lower) * i / cells;
+  return lines;
+}
+
+std::vector<double> graded_lines(double lower, double upper, double fine_lower, double fine_upper,
+                                 double cell_size, double growth, double largest) {
+  fine_lower = std::clamp(fine_lower, lower, upper);
+  fine_upper = std::clamp(fine_upper, lower, upper);
+  require(fine_lower < fine_upper,
+          "the fine region must overlap the rectangle; got [{:g}, {:g}] m in [{:g}, {:g}] m", fine_lower,
+          fine_upper, lower, upper);
+  if (largest <= 0) largest = upper - lower;
+  const auto below = growing_distances(fine_lower - lower, cell_size, growth, largest);
+  const auto above = growing_distances(upper - fine_upper, cell_size, growth, largest);
+  const Index n_fine =
+      std::max<Index>(1, static_cast<Index>(std::lround((fine_upper - fine_lower) / cell_size)));
+
+  std::vector<double> lines;
+  for (std::size_t i = below.size() - 1; i > 0; --i) lines.push_back(fine_lower - below[i]);
+  for (double line : uniform_lines(fine_lower, fine_upper, n_fine)) lines.push_back(line);
+  for (std::size_t i = 1; i < above.size(); ++i) lines.push_back(fine_upper + above[i]);
+  lines.front() = lower;
+  lines.back() = upper;
+  return lines;
+}
+
+Mesh make_rectangle(const std::vector<double>& x, const std::vector<double>& y) {
+  const Index nx = static_cast<Index>(x.size()) - 1, ny = static_cast<Index>(y.size()) - 1;
+  require(nx >= 1 && ny >= 1, "a rectangle needs at least one cell each way; got {} × {}", nx, ny);
+  const auto vertex = [&](Index i, Index j) { return j * (nx + 1) + i; };
+
+  std::vector<Vec2> vertices;
+  for (double yj : y)
+    for (double xi : x) vertices.emplace_back(xi, yj);
+
+  std::vector<std::array<Index, 3>> cells;
+  for (Index j = 0; j < ny; ++j) {
+    for (Index i = 0; i < nx; ++i) {
+      const Index a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
+      const bool at_left = i == 0, at_right = i == nx - 1, at_bottom = j == 0, at_top = j == ny - 1;
+      bool rising = (i + j) % 2 == 0;  // diagonal from lower left to upper right
+      if ((at_left && at_bottom) || (at_right && at_top)) rising = true;
+      if ((at_left && at_top) || (at_right && at_bottom)) rising = false;
+      if (rising) {
+        cells.push_back({a, b, c});
+        cells.push_back({a, c, d});
+      } else {
+        cells.push_back({a, b, d});
+        cells.push_back({b, c, d});
+      }
+    }
+  }
+
+  enum : Index { left, right, bottom, top };
+  std::vector<NamedEdge> edges;
+  for (Index j = 0; j < ny; ++j) {
+    edges.push_back({{vertex(0, j), vertex(0, j + 1)}, left});
+    edges.push_back({{vertex(nx, j), vertex(nx, j + 1)}, right});
+  }
+  for (Index i = 0; i < nx; ++i) {
+    edges.push_back({{vertex(i, 0), vertex(i + 1, 0)}, bottom});
+    edges.push_back({{vertex(i, ny), vertex(i + 1, ny)}, top});
+  }
+  return make_mesh(std::move(vertices), std::move(cells), edges, {"left", "right", "bottom", "top"});
+}
+
+}  // namespace fpi::fluid

@@ -1,0 +1,220 @@
+#include "fluid/system.hpp"
+
+#include <algorithm>
+
+#include "fluid/quadrature.hpp"
+
+namespace fpi::fluid {
+namespace {
+
+using block_size::arc, block_size::cell, block_size::ghost;
+constexpr int points_on_piece = 4;
+
+/// Pressures of an element do not meet each other.
+const BlockMask& cell_mask() {
+  static const BlockMask mask = [] {
+    BlockMask m = BlockMask::dense(cell);
+    for (int i = 12; i < 15; ++i)
+      for (int j = 12; j < 15; ++j) m.coupled[i + cell * j] = 0;
+    return m;
+  }();
+  return mask;
+}
+/// x meets x and y meets y, unless a slip node mixes them.
+const BlockMask& ghost_mask(bool mixed) {
+  static const BlockMask full = BlockMask::dense(ghost);
+  static const BlockMask mask = [] {
+    BlockMask m = full;
+    for (int i = 0; i < ghost; ++i)
+      for (int j = 0; j < ghost; ++j) m.coupled[i + ghost * j] = (i < 9) == (j < 9);
+    return m;
+  }();
+  return mixed ? full : mask;
+}
+const BlockMask& ghost_pressure_mask() {
+  static const BlockMask mask = BlockMask::dense(4);
+  return mask;
+}
+/// λx, λy, then ux of six nodes, then uy.
+const BlockMask& arc_mask(bool mixed) {
+  static const auto make = [](bool full) {
+    BlockMask m{arc, std::vector<std::uint8_t>(arc * arc, 0)};
+    for (int i = 2; i < arc; ++i)
+      for (int c = 0; c < 2; ++c)
+        if (full || (i < 8) == (c == 0)) m.coupled[i + arc * c] = m.coupled[c + arc * i] = 1;
+    return m;
+  };
+  static const BlockMask apart = make(false), full = make(true);
+  return mixed ? full : apart;
+}
+
+}  // namespace
+
+System::System(const Space& space, const scene::Embedding& embedding, std::vector<Interface> interfaces,
+               bool bodies_move, Ledger& ledger)
+    : space_(space),
+      embedding_(embedding),
+      bodies_move_(bodies_move),
+      interfaces_(std::move(interfaces)),
+      matrix_(0) {
+  {
+    const ScopedTimer timer(ledger, "interface");
+    cut_ = cut_mesh(space.mesh, space.locator, interfaces_);
+    for (Index e : cut_.ghost_edges) ghosts_.push_back(ghost_face(space.mesh, e));
+  }
+  const ScopedTimer timer(ledger, "assembly");
+  numbering_ = number_unknowns(space.mesh, space.boundary, cut_, interfaces_);
+  std::vector<Index> cut_number(space.mesh.n_cells(), -1);
+  for (std::size_t k = 0; k < cut_.cut_cells.size(); ++k)
+    cut_number[cut_.cut_cells[k].cell] = static_cast<Index>(k);
+  for (Index c = 0; c < space.mesh.n_cells(); ++c) {
+    if (!cut_.is_active(c)) continue;
+    active_cells_.push_back(c);
+    cut_index_.push_back(cut_number[c]);
+  }
+  smallest_size_ = space.mesh.size(0);
+  for (const Triangle& triangle : space.triangles)
+    smallest_size_ = std::min(smallest_size_, std::sqrt(2 * triangle.area));
+  load_ = Vector::Zero(2 * space.mesh.n_nodes());
+  declare_blocks();
+  set_velocities(interfaces_);
+}
+
+bool System::same_geometry(const std::vector<Interface>& interfaces) const {
+  return std::equal(interfaces.begin(), interfaces.end(), interfaces_.begin(), interfaces_.end(),
+                    [](const Interface& a, const Interface& b) { return a.same_geometry(b); });
+}
+
+bool System::has_slip_node(std::span<const Index> nodes) const {
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [&](Index n) { return space_.boundary.constraint(n) == Constraint::normal; });
+}
+
+void System::declare_blocks() {
+  matrix_ = BlockMatrix(numbering_.n_equations);
+  const auto& v = numbering_.velocity;
+  std::vector<Index> equations;
+  for (Index c : active_cells_) {
+    equations.clear();
+    for (int component = 0; component < 2; ++component)
+      for (Index node : space_.mesh.cell_nodes(c)) equations.push_back(v[2 * node + component]);
+    for (Index vertex : space_.mesh.cells[c]) equations.push_back(numbering_.pressure[vertex]);
+    matrix_.declare(equations, cell_mask());
+  }
+  first_ghost_ = matrix_.n_blocks();
+  for (const GhostFace& face : ghosts_) {
+    equations.clear();
+    for (int component = 0; component < 2; ++component)
+      for (Index node : face.nodes) equations.push_back(v[2 * node + component]);
+    matrix_.declare(equations, ghost_mask(has_slip_node(face.nodes)));
+    equations.clear();
+    for (Index vertex : face.vertices) equations.push_back(numbering_.pressure[vertex]);
+    matrix_.declare(equations, ghost_pressure_mask());
+  }
+  first_piece_ = matrix_.n_blocks();
+  for (const ArcPiece& piece : cut_.pieces) {
+    const auto nodes = space_.mesh.cell_nodes(piece.cell);
+    equations = {numbering_.multiplier[2 * piece.multiplier],
+                 numbering_.multiplier[2 * piece.multiplier + 1]};
+    for (int component = 0; component < 2; ++component)
+      for (Index node : nodes) equations.push_back(v[2 * node + component]);
+    matrix_.declare(equations, arc_mask(has_slip_node(nodes)));
+  }
+  matrix_.finish();
+}
+
+void System::set_velocities(const std::vector<Interface>& interfaces) {
+  interfaces_ = interfaces;
+  pieces_.resize(cut_.pieces.size());
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    const ArcPiece& piece = cut_.pieces[k];
+    const Interface& interface = interfaces_[piece.interface];
+    const Disc disc = interface.disc();
+    const Triangle& triangle = space_.triangles[piece.cell];
+    pieces_[k] = {Padded::Zero(), Vec2::Zero()};
+    for (const LinePoint& point : gauss_legendre(points_on_piece)) {
+      const double angle = piece.start + point.s * (piece.end - piece.start);
+      const double w = point.weight * (piece.end - piece.start) * disc.radius;
+      pieces_[k].shape += w * p2_at(triangle.barycentric(disc.at(angle)));
+      pieces_[k].velocity += w * interface.velocity(piece.arc, angle);
+    }
+  }
+}
+
+void System::set_load(double t, const std::array<Expression, 2>& body_force) {
+  load_.setZero();
+  space_.boundary.add_tractions(t, load_);
+  if (body_force[0].is_zero() && body_force[1].is_zero()) return;
+  for (std::size_t k = 0; k < active_cells_.size(); ++k) {
+    const Index c = active_cells_[k];
+    const bool is_cut = cut_index_[k] >= 0;
+    const auto points =
+        is_cut ? std::span<const ElementPoint>(cut_.cut_cells[cut_index_[k]].points) : standard_points();
+    const double scale = is_cut ? 1 : space_.triangles[c].area;
+    const auto nodes = space_.mesh.cell_nodes(c);
+    for (const ElementPoint& point : points) {
+      const Vec2 x = space_.triangles[c].point(point.shape.l);
+      const Vec2 f =
+          scale * point.weight * Vec2(body_force[0](x.x(), x.y(), t), body_force[1](x.x(), x.y(), t));
+      for (int i = 0; i < 6; ++i) load_.segment<2>(2 * nodes[i]) += point.shape.n[i] * f;
+    }
+  }
+}
+
+Vector System::gather(const Residual& residual) const {
+  Vector out(numbering_.n_equations);
+  for (Index node = 0; node < space_.mesh.n_nodes(); ++node) {
+    const Index x = numbering_.velocity[2 * node], y = numbering_.velocity[2 * node + 1];
+    if (x >= 0) {
+      out[x] = residual.u[2 * node];
+      out[y] = residual.u[2 * node + 1];
+    } else if (y >= 0) {
+      const Vec2& normal = space_.boundary.normal(node);
+      out[y] = -normal.y() * residual.u[2 * node] + normal.x() * residual.u[2 * node + 1];
+    }
+  }
+  for (Eigen::Index v = 0; v < residual.p.size(); ++v)
+    if (numbering_.pressure[v] >= 0) out[numbering_.pressure[v]] = residual.p[v];
+  for (Eigen::Index m = 0; m < residual.lambda.size(); ++m)
+    if (numbering_.multiplier[m] >= 0) out[numbering_.multiplier[m]] = residual.lambda[m];
+  return out;
+}
+
+void System::add(const Vector& update, double step, Fields& fields) const {
+  for (Index node = 0; node < space_.mesh.n_nodes(); ++node) {
+    const Index x = numbering_.velocity[2 * node], y = numbering_.velocity[2 * node + 1];
+    if (x >= 0) {
+      fields.u[2 * node] += step * update[x];
+      fields.u[2 * node + 1] += step * update[y];
+    } else if (y >= 0) {
+      const Vec2& normal = space_.boundary.normal(node);
+      fields.u.segment<2>(2 * node) += step * update[y] * Vec2(-normal.y(), normal.x());
+    }
+  }
+  for (Eigen::Index v = 0; v < fields.p.size(); ++v)
+    if (numbering_.pressure[v] >= 0) fields.p[v] += step * update[numbering_.pressure[v]];
+  for (Eigen::Index m = 0; m < fields.lambda.size(); ++m)
+    if (numbering_.multiplier[m] >= 0) fields.lambda[m] += step * update[numbering_.multiplier[m]];
+}
+
+std::shared_ptr<const Analysis> System::analysis() {
+  if (!analysis_) analysis_ = std::make_shared<Analysis>(matrix_);
+  return analysis_;
+}
+
+std::vector<System::Resultant> System::resultants(const Vector& lambda) const {
+  std::vector<Resultant> out(interfaces_.size());
+  for (const ArcPiece& piece : cut_.pieces) {
+    const double r = interfaces_[piece.interface].radius;
+    const Vec2 value = lambda.segment<2>(2 * piece.multiplier);
+    // ∫ (cos θ, sin θ) r² dθ over the piece
+    const Vec2 arm =
+        r * r *
+        Vec2(std::sin(piece.end) - std::sin(piece.start), std::cos(piece.start) - std::cos(piece.end));
+    out[piece.interface].force += (piece.end - piece.start) * r * value;
+    out[piece.interface].torque += cross(arm, value);
+  }
+  return out;
+}
+
+}  // namespace fpi::fluid

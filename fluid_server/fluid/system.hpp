@@ -1,0 +1,121 @@
+/// The discrete equations for one position of the bodies (paper, eq. 20; signs and ghost penalty: numerics.md
+/// section 1): what is numbered, the residual of any fields, and its exact Jacobian.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/expression.hpp"
+#include "core/timer.hpp"
+#include "fluid/block_matrix.hpp"
+#include "fluid/cut_mesh.hpp"
+#include "fluid/ghost_penalty.hpp"
+#include "fluid/kernel.hpp"
+#include "fluid/linear_solver.hpp"
+#include "fluid/numbering.hpp"
+#include "fluid/space.hpp"
+#include "scene/fluid.hpp"
+
+namespace fpi::fluid {
+
+/// Nodal values of everything.
+struct Fields {
+  Vector u;       ///< x, y of each node [m/s]
+  Vector p;       ///< of each vertex [Pa], without the hydrostatic part
+  Vector lambda;  ///< x, y of each arc [Pa]
+};
+
+/// The acceleration as a function of the velocity, node by node: a = inertia · u − history (paper, eq. 10).
+struct TimeTerms {
+  Vector inertia;  ///< 1/(γ Δt) of each node [1/s]; zero in steady flow
+  Vector history;  ///< x, y of each node [m/s²]
+
+  static TimeTerms steady(Index n_nodes) { return {Vector::Zero(n_nodes), Vector::Zero(2 * n_nodes)}; }
+  Vector acceleration(const Vector& u) const {
+    Vector a(u.size());
+    for (Eigen::Index i = 0; i < inertia.size(); ++i)
+      a.segment<2>(2 * i) = inertia[i] * u.segment<2>(2 * i) - history.segment<2>(2 * i);
+    return a;
+  }
+};
+
+/// Residual before constraints: what each node, vertex and arc would have to balance [N/m, m²/s, m²/s].
+struct Residual {
+  Vector u, p, lambda;
+};
+
+/// Unknowns of the blocks: (ux, uy of 6 nodes, p of 3 vertices); (ux, uy of 9 nodes); (λ, then ux, uy of 6
+/// nodes).
+namespace block_size {
+inline constexpr int cell = 15, ghost = 18, arc = 14;
+}
+
+class System {
+ public:
+  System(const Space& space, const scene::Embedding& embedding, std::vector<Interface> interfaces,
+         bool bodies_move, Ledger& ledger);
+
+  const CutMesh& cut() const { return cut_; }
+  const Numbering& numbering() const { return numbering_; }
+  const std::vector<Interface>& interfaces() const { return interfaces_; }
+  bool same_geometry(const std::vector<Interface>& interfaces) const;
+
+  /// Takes the velocities (not the geometry) of `interfaces`.
+  void set_velocities(const std::vector<Interface>& interfaces);
+  /// Sets what drives the flow at time t [s]: body force ρb [N/m³] and boundary tractions.
+  void set_load(double t, const std::array<Expression, 2>& body_force);
+
+  /// Residual of eq. (20); fills the matrix with its Jacobian too where `with_jacobian`.
+  Residual assemble(const Flow& flow, const Fields& fields, const TimeTerms& time, bool with_jacobian);
+
+  /// Residual of the unknowns in the system.
+  Vector gather(const Residual& residual) const;
+  /// Adds `step` times an update of the unknowns to the fields.
+  void add(const Vector& update, double step, Fields& fields) const;
+
+  /// Size h of the smallest element [m].
+  double smallest_size() const { return smallest_size_; }
+  const BlockMatrix& matrix() const { return matrix_; }
+  std::shared_ptr<const Analysis> analysis();
+
+  /// ∫λ and ∫(x − c) × λ over a body [N/m, N].
+  struct Resultant {
+    Vec2 force = Vec2::Zero();
+    double torque = 0;
+  };
+  std::vector<Resultant> resultants(const Vector& lambda) const;
+
+ private:
+  void declare_blocks();
+  void assemble_cells(const Flow& flow, const Fields& fields, const TimeTerms& time,
+                      const Vector& acceleration, Residual& residual, bool with_jacobian);
+  void assemble_ghost(const Flow& flow, const Fields& fields, const TimeTerms& time,
+                      const Vector& acceleration, Residual& residual, bool with_jacobian);
+  void assemble_arcs(const Fields& fields, Residual& residual, bool with_jacobian);
+  bool has_slip_node(std::span<const Index> nodes) const;
+  void rotate_slip(std::span<const Index> nodes, int first_x, int first_y, int n, double* dense) const;
+
+  /// ∫ N_i over one arc piece, and ∫ u of the body over it.
+  struct PieceIntegrals {
+    Padded shape;
+    Vec2 velocity;
+  };
+
+  const Space& space_;
+  scene::Embedding embedding_;
+  bool bodies_move_;
+  std::vector<Interface> interfaces_;
+  CutMesh cut_;
+  Numbering numbering_;
+  std::vector<Index> active_cells_;
+  std::vector<Index> cut_index_;  // of each active cell in cut_.cut_cells, or −1
+  std::vector<GhostFace> ghosts_;
+  std::vector<PieceIntegrals> pieces_;
+  Vector load_;
+  double smallest_size_ = 0;
+  Index first_ghost_ = 0, first_piece_ = 0;  // block numbers
+  BlockMatrix matrix_;
+  std::shared_ptr<const Analysis> analysis_;
+};
+
+}  // namespace fpi::fluid

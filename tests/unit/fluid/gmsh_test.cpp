@@ -1,0 +1,72 @@
+#include "fluid/gmsh.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+
+namespace fpi::fluid {
+namespace {
+
+// Two triangles over the unit square, in both formats; vertex 9 belongs to none.
+const std::string names =
+    "$PhysicalNames\n3\n1 1 \"wall\"\n1 2 \"the inlet\"\n2 3 \"fluid\"\n$EndPhysicalNames\n";
+const std::string format_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + names +
+                             "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n9 5 5 0\n$EndNodes\n"
+                             "$Elements\n7\n1 15 2 0 1 1\n2 1 2 1 1 1 2\n3 1 2 1 2 2 3\n4 1 2 1 3 3 4\n5 1 2 "
+                             "2 4 4 1\n6 2 2 3 1 1 2 3\n"
+                             "7 2 2 3 1 1 3 4\n$EndElements\n";
+const std::string format_4 =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + names +
+    "$Entities\n1 4 1 0\n1 0 0 0 0 \n1 0 0 0 1 0 0 1 1 2 1 -2 \n2 1 0 0 1 1 0 1 1 2 2 -3 \n3 0 1 0 1 1 0 1 1 "
+    "2 3 -4 \n"
+    "4 0 0 0 0 1 0 1 2 2 4 -1 \n1 0 0 0 1 1 0 1 3 4 1 2 3 4 \n$EndEntities\n"
+    "$Nodes\n1 5 1 9\n2 1 0 5\n1\n2\n3\n4\n9\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n5 5 0\n$EndNodes\n"
+    "$Elements\n6 7 1 7\n0 1 15 1\n1 1\n1 1 1 1\n2 1 2\n1 2 1 1\n3 2 3\n1 3 1 1\n4 3 4\n1 4 1 1\n5 4 1\n2 1 "
+    "2 2\n"
+    "6 1 2 3\n7 1 3 4\n$EndElements\n";
+
+TEST(Gmsh, both_formats_give_the_same_mesh) {
+  for (const std::string& text : {format_2, format_4}) {
+    const Mesh mesh = read_gmsh(text, "square.msh");
+    EXPECT_EQ(mesh.n_vertices(), 4);
+    EXPECT_EQ(mesh.n_cells(), 2);
+    EXPECT_EQ(mesh.n_edges(), 5);
+    ASSERT_EQ(mesh.boundary_names, (std::vector<std::string>{"wall", "the inlet"}));
+    ASSERT_EQ(mesh.boundary.size(), 4u);
+    int on_inlet = 0;
+    for (const BoundaryEdge& b : mesh.boundary) {
+      const Vec2 middle = mesh.node_position(mesh.n_vertices() + b.edge);
+      EXPECT_EQ(b.boundary == 1, middle.x() == 0);
+      on_inlet += b.boundary == 1;
+    }
+    EXPECT_EQ(on_inlet, 1);
+  }
+}
+
+TEST(Gmsh, a_file_cut_short_anywhere_is_refused_or_read_and_never_crashes) {
+  for (const std::string& text : {format_2, format_4})
+    for (std::size_t n = 0; n + 14 < text.size(); ++n)
+      EXPECT_THROW(read_gmsh(text.substr(0, n), "cut.msh"), Error) << n;
+}
+
+TEST(Gmsh, what_cannot_be_read_is_said_with_file_and_line) {
+  const auto message = [](std::string text, const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+    try {
+      read_gmsh(text, "m.msh");
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string("read");
+  };
+  EXPECT_NE(message(format_2, "2.2 0 8", "2.2 1 8").find("m.msh:2: an ASCII file"), std::string::npos);
+  EXPECT_NE(message(format_2, "2.2 0 8", "3.0 0 8").find("format 2.2 or 4.1"), std::string::npos);
+  EXPECT_NE(message(format_2, "6 2 2 3 1 1 2 3", "6 9 2 3 1 1 2 3").find("ElementOrder = 1"),
+            std::string::npos);
+  EXPECT_NE(message(format_2, "2 1 0 0", "2 one 0 0").find("a number is required; got one"),
+            std::string::npos);
+  EXPECT_NE(message(format_2, "$Elements\n7", "$Elements\n99999999999").find("a count"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fpi::fluid

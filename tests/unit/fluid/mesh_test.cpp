@@ -1,0 +1,86 @@
+#include "fluid/mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/error.hpp"
+#include "fluid/locator.hpp"
+#include "fluid/rectangle.hpp"
+
+namespace fpi::fluid {
+namespace {
+
+TEST(Mesh, euler_formula_holds_and_areas_add_up) {
+  const Mesh mesh = make_rectangle(graded_lines(0, 2.2, 0.1, 0.4, 0.02, 1.2, 0.2), uniform_lines(0, 0.41, 7));
+  EXPECT_EQ(mesh.n_vertices() - mesh.n_edges() + mesh.n_cells(), 1);
+  double area = 0;
+  for (Index c = 0; c < mesh.n_cells(); ++c) {
+    EXPECT_GT(mesh.area(c), 0);
+    area += mesh.area(c);
+  }
+  EXPECT_NEAR(area, 2.2 * 0.41, 1e-13);
+}
+
+TEST(Mesh, no_triangle_of_a_rectangle_has_two_sides_on_the_boundary) {
+  for (const int nx : {2, 3, 4, 5})
+    for (const int ny : {2, 3, 4, 5}) {
+      const Mesh mesh = make_rectangle(uniform_lines(0, 1, nx), uniform_lines(0, 1, ny));
+      std::vector<int> sides(mesh.n_cells(), 0);
+      for (const BoundaryEdge& b : mesh.boundary) EXPECT_LE(++sides[b.cell], 1) << nx << " × " << ny;
+    }
+}
+
+TEST(Mesh, a_clockwise_triangle_is_turned) {
+  const Mesh mesh =
+      make_mesh({{0, 0}, {1, 0}, {0, 1}}, {{0, 2, 1}}, {{{0, 1}, 0}, {{1, 2}, 0}, {{2, 0}, 0}}, {"all"});
+  EXPECT_DOUBLE_EQ(mesh.area(0), 0.5);
+}
+
+TEST(Mesh, faults_are_refused_with_the_place) {
+  const std::vector<Vec2> vertices{{0, 0}, {1, 0}, {0, 1}, {2, 0}};
+  EXPECT_THROW(make_mesh(vertices, {{0, 1, 3}}, {}, {}), Error);                // degenerate
+  EXPECT_THROW(make_mesh(vertices, {{0, 1, 9}}, {}, {}), Error);                // no such vertex
+  EXPECT_THROW(make_mesh(vertices, {{0, 1, 2}}, {{{0, 1}, 0}}, {"a"}), Error);  // unnamed sides
+  EXPECT_THROW(make_mesh(vertices, {{0, 1, 2}}, {{{0, 3}, 0}}, {"a"}), Error);  // a side of no triangle
+  EXPECT_THROW(make_mesh(vertices, {{0, 1, 2}, {0, 1, 2}, {0, 1, 2}}, {}, {}), Error);
+}
+
+TEST(Mesh, graded_lines_keep_the_fine_size_and_grow_by_the_ratio) {
+  const auto lines = graded_lines(0, 10, 4, 5, 0.1, 1.3, 0.7);
+  EXPECT_EQ(lines.front(), 0);
+  EXPECT_EQ(lines.back(), 10);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const double size = lines[i] - lines[i - 1];
+    EXPECT_GT(size, 0.085);
+    EXPECT_LT(size, 0.8);
+    if (lines[i - 1] > 3.999 && lines[i] < 5.001) {
+      EXPECT_NEAR(size, 0.1, 1e-12);
+    }
+    if (i > 1) {
+      const double ratio = size / (lines[i - 1] - lines[i - 2]);
+      EXPECT_LT(ratio, 1.5);
+      EXPECT_GT(ratio, 1 / 1.5);
+    }
+  }
+}
+
+TEST(Locator, finds_the_triangle_of_every_point) {
+  const Mesh mesh = make_rectangle(graded_lines(0, 2, 0.5, 0.6, 0.01, 1.3, 0), uniform_lines(0, 1, 9));
+  const Locator locator(mesh);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 x(2 * uniform(random), uniform(random));
+    const Index c = locator.find(x);
+    ASSERT_GE(c, 0);
+    for (double l : Triangle(mesh.corners(c)).barycentric(x)) EXPECT_GE(l, -1e-10);
+  }
+  EXPECT_GE(locator.find({0, 0}), 0);
+  EXPECT_GE(locator.find({2, 1}), 0);
+  EXPECT_EQ(locator.find({2.1, 0.5}), -1);
+  EXPECT_EQ(locator.find({-1, -1}), -1);
+}
+
+}  // namespace
+}  // namespace fpi::fluid
