@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <tuple>
 
 #include "core/error.hpp"
 #include "core/log.hpp"
@@ -13,8 +14,8 @@
 namespace fpi::proto {
 namespace {
 
-constexpr double patience = 2;  ///< [s] that a solver may go on working once the run is over
-constexpr int refused = 2, vanished = 3;
+constexpr double patience = 2;            ///< [s] that a solver may go on working once the run is over
+constexpr int refused = 2, vanished = 3;  ///< exit statuses, see participant.hpp
 
 constexpr int watched_events = ZMQ_EVENT_HANDSHAKE_SUCCEEDED | ZMQ_EVENT_DISCONNECTED |
                                ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
@@ -124,10 +125,30 @@ void Link::handle_event(const Frames& frames) {
   if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
     if (!welcomed_) join();
   } else if (event == ZMQ_EVENT_DISCONNECTED) {
-    if (welcomed_) post(Ending{vanished, "the coupler vanished: its connection is closed"});
+    if (!welcomed_) return;  // ZeroMQ tries again
+    wire_.set(zmq::sockopt::linger, 0);
+    post(Ending{vanished, "the coupler vanished: its connection is closed"});
   } else {
-    post(Ending{refused, fmt::format("the handshake failed")});
+    post(Ending{refused, handshake_failure(event, value)});
   }
+}
+
+std::string Link::handshake_failure(int event, std::uint32_t detail) const {
+  const auto& [address, keys] = std::tie(connection_.address, connection_.keys);
+  if (event == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH)
+    return fmt::format(
+        "the coupler at {} does not know this key: participant.public must be the same there as in {}",
+        address, keys);
+  if (detail == ZMQ_PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH)
+    return keys.empty()
+               ? fmt::format("the coupler at {} asks for keys: give --keys DIR", address)
+               : fmt::format("the coupler at {} uses no keys: leave --keys out here or give it there",
+                             address);
+  return keys.empty() ? fmt::format("what listens at {} is no coupler: check the address", address)
+                      : fmt::format(
+                            "the key exchange with {} failed: coupler.public in {} is not that coupler's "
+                            "key, or it uses none",
+                            address, keys);
 }
 
 void Link::join() {

@@ -42,6 +42,7 @@ class Link {
   void forward_answers();
   void handle(const Frames& frames);
   void handle_event(const Frames& frames);
+  std::string handshake_failure(int event, std::uint32_t detail) const;
   void join();
   void beat();
   void watch_the_clock();
