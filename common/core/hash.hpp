@@ -6,7 +6,7 @@
 
 namespace fpi {
 
-/// 64-bit FNV-1a of `text` (Fowler, Noll, Vo; offset basis and prime of RFC 9923).
+/// 64-bit FNV-1a of `text` (Fowler, Noll, Vo).
 constexpr std::uint64_t fnv1a(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
