@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../temporary_folder.hpp"
 #include "parties.hpp"
 #include "proto/transport/address.hpp"
 
@@ -16,14 +17,8 @@ namespace {
 using namespace parties;
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test.
 class Keys : public testing::Test {
  protected:
-  Keys() {
-    const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = fs::path(testing::TempDir()) / ("fpi_keys_" + test + "_" + std::to_string(getpid()));
-  }
-  ~Keys() override { fs::remove_all(folder_); }
   std::string made(const std::string& name) const {
     make_keys(folder_ / name);
     return folder_ / name;
@@ -62,7 +57,7 @@ class Keys : public testing::Test {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << "an error, not a timeout";
     return status.get();
   }
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Keys, are_made_once_and_secrets_are_private) {
