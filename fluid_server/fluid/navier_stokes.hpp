@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fluid/newton.hpp"
+#include "fluid/state.hpp"
 #include "fluid/time_scheme.hpp"
 
 namespace fpi::fluid {
@@ -41,13 +42,6 @@ struct Result {
   std::vector<BodyTraction> tractions;
 };
 
-/// All that a step starts from.
-struct State {
-  double time = 0;
-  Vector u, acceleration, p;
-  bool has_acceleration = false;
-};
-
 class NavierStokes {
  public:
   NavierStokes(Mesh mesh, Settings settings);
@@ -70,6 +64,7 @@ class NavierStokes {
   /// Cells of the accepted state that are in the fluid, wholly or in part.
   std::vector<bool> active_cells() const;
   Index n_unknowns() const { return system_ ? system_->numbering().n_equations : 0; }
+  bool has(const Vec2& x) const { return space_.locator.find(x) >= 0; }
   /// Velocity [m/s] and pressure [Pa] of the accepted state; nothing inside a body or outside the mesh.
   std::optional<std::pair<Vec2, double>> at(const Vec2& x) const;
   /// Force of the fluid on each named boundary that holds it, as of the last accept [N/m].

@@ -1,0 +1,15 @@
+/// The mesh that a scene asks for.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "fluid/mesh.hpp"
+#include "scene/fluid.hpp"
+
+namespace fpi::fluid {
+
+/// A rectangle from the scene's numbers, or the Gmsh mesh whose text came with it.
+Mesh scene_mesh(const scene::Mesh& parameters, const std::string& file_name, std::string_view file_text);
+
+}  // namespace fpi::fluid

@@ -1,0 +1,51 @@
+#include "fluid/state.hpp"
+
+#include "core/bytes.hpp"
+
+namespace fpi::fluid {
+namespace {
+
+constexpr std::uint64_t magic = 0x31534c4644495046;  // "FPIDFLS1"
+
+std::span<const double> view(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
+
+Vector read_vector(ByteReader& read, Eigen::Index size) {
+  Vector v(size);
+  read.numbers({v.data(), static_cast<std::size_t>(size)});
+  return v;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> to_bytes(const State& state) {
+  ByteWriter write;
+  write.put(magic);
+  write.put(static_cast<std::uint64_t>(state.u.size() / 2));
+  write.put(static_cast<std::uint64_t>(state.p.size()));
+  write.put(state.time);
+  write.put(static_cast<std::uint8_t>(state.has_acceleration));
+  write.put(view(state.u));
+  write.put(view(state.acceleration));
+  write.put(view(state.p));
+  return std::move(write.bytes);
+}
+
+State from_bytes(std::span<const std::uint8_t> bytes, Index n_nodes, Index n_vertices) {
+  ByteReader read(bytes, "the fluid's state");
+  require(read.get<std::uint64_t>() == magic, "a state of this fluid is required; got other bytes");
+  const auto nodes = read.get<std::uint64_t>(), vertices = read.get<std::uint64_t>();
+  require(
+      nodes == static_cast<std::uint64_t>(n_nodes) && vertices == static_cast<std::uint64_t>(n_vertices),
+      "a state of {} nodes and {} vertices is required; got {} and {}: resume the scene it was written by",
+      n_nodes, n_vertices, nodes, vertices);
+  State state;
+  state.time = read.number();
+  state.has_acceleration = read.get<std::uint8_t>() != 0;
+  state.u = read_vector(read, 2 * n_nodes);
+  state.acceleration = read_vector(read, 2 * n_nodes);
+  state.p = read_vector(read, n_vertices);
+  require(read.left() == 0, "the fluid's state has {} bytes too many: take another checkpoint", read.left());
+  return state;
+}
+
+}  // namespace fpi::fluid

@@ -1,0 +1,173 @@
+#include "fluid_service.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "fluid/scene_mesh.hpp"
+
+namespace fpi::fluid {
+namespace {
+
+Vec2 to_plane(const proto::Vec3& v) { return {v[0], v[1]}; }
+proto::Vec3 to_wire(const Vec2& v) { return {v.x(), v.y(), 0}; }
+
+void check_dimension(const scene::Scene& scene) {
+  for (const scene::Body& body : scene.bodies)
+    require(body.shape == "disc", "bodies \"{}\": a plane fluid takes discs only; got a {}: make it a disc",
+            body.name, body.shape);
+}
+
+Settings settings(const scene::Scene& scene) {
+  const bool on_boundary =
+      scene.coefficients && std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const scene::Body& b) {
+        return b.name == scene.coefficients->on;
+      });
+  return {*scene.fluid, Vec2(scene.gravity[0], scene.gravity[1]), scene.moves(), on_boundary};
+}
+
+Interface read_interface(const proto::Interface& m) {
+  require(m.radius > 0, "body {}: exact arcs are required; outlines of edges are not offered by this fluid",
+          m.body);
+  Interface out;
+  out.body = static_cast<Index>(m.body);
+  out.radius = m.radius;
+  out.start = m.start;
+  out.end = m.end;
+  out.rigid = {to_plane(m.centre), to_plane(m.translation), m.spin[2]};
+  if (!m.rigid)
+    for (std::size_t i = 0; i + 1 < m.velocities.size(); i += 2)
+      out.sampled.emplace_back(m.velocities[i], m.velocities[i + 1]);
+  return out;
+}
+
+proto::Traction write_traction(const BodyTraction& t, double thickness) {
+  proto::Traction out{.body = static_cast<std::uint32_t>(t.body),
+                      .force = to_wire(thickness * t.force),
+                      .torque = {0, 0, thickness * t.torque},
+                      .arc_length = t.arc_length};
+  for (const Vec2& lambda : t.lambda) out.values.insert(out.values.end(), {lambda.x(), lambda.y()});
+  return out;
+}
+
+std::optional<double> probe(const NavierStokes& solver, const scene::Probe& p,
+                            const std::vector<double>& point) {
+  const auto value = solver.at({point[0], point[1]});
+  if (!value) return std::nullopt;
+  if (p.quantity == "pressure") return value->second;
+  return value->first[p.quantity == "velocity_x" ? 0 : 1];
+}
+
+}  // namespace
+
+proto::Configured FluidService::configure(const proto::Configure& message) {
+  progress.set("mesh");
+  Ledger ledger;
+  {
+    const ScopedTimer timer(ledger, "mesh");
+    scene_ = scene::read_text(message.scene, "the scene sent by the coupler");
+    require(scene_.fluid.has_value(),
+            "a scene with [fluid] is required; got one without: start no fluid for it");
+    check_dimension(scene_);
+    const std::string_view text(reinterpret_cast<const char*>(message.mesh.data()), message.mesh.size());
+    solver_.emplace(scene_mesh(scene_.fluid->mesh, message.mesh_name, text), settings(scene_));
+  }
+  solver_->monitor.ledger = std::move(ledger);
+  solver_->monitor.phase = [this](const char* phase) { progress.set(phase); };
+  const Mesh& mesh = solver_->mesh();
+  if (!message.state.empty())
+    solver_->set_state(from_bytes(message.state, mesh.n_nodes(), mesh.n_vertices()));
+  for (const scene::Probe& p : scene_.probes)
+    for (const auto* point : {&p.point, &p.minus})
+      require(point->empty() || solver_->has((Vec2((*point)[0], (*point)[1]))),
+              "the probe \"{}\" must lie in the mesh; ({:g}, {:g}) m does not: move it", p.name, (*point)[0],
+              (*point)[1]);
+
+  proto::Configured out{.notes = solver_->notes()};
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+    const scene::Body& body = scene_.bodies[b];
+    const Disc disc{{body.position[0], body.position[1]}, body.radius * scene_.hydraulic_radius_ratio};
+    const double length = solver_->arc_length(disc);
+    require(length > 0, "the body \"{}\" must lie in the mesh; its circle at ({:g}, {:g}) m meets no element",
+            body.name, disc.centre.x(), disc.centre.y());
+    out.arc_lengths.push_back({static_cast<std::uint32_t>(b), length});
+    out.resolved_gap = std::max(out.resolved_gap, length / scene_.fluid->embedding.arc_ratio);
+  }
+  out.figures = {{"cells", mesh.n_cells()}, {"nodes", mesh.n_nodes()}};
+  return out;
+}
+
+proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const proto::FluidAdvance& message) {
+  Request request{message.time, message.time_step, stamp.sub_iteration, {}};
+  for (const proto::Interface& interface : message.interfaces)
+    request.interfaces.push_back(read_interface(interface));
+  const Result result = solver().advance(request);
+  proto::FluidAdvanced out{.converged = result.newton.converged,
+                           .reason = result.newton.reason,
+                           .newton_iterations = static_cast<std::uint32_t>(result.newton.iterations),
+                           .residual = result.newton.update};
+  for (const BodyTraction& traction : result.tractions)
+    out.tractions.push_back(write_traction(traction, scene_.thickness));
+  return out;
+}
+
+proto::Accepted FluidService::accept() {
+  solver().accept();
+  proto::Accepted out;
+  for (const scene::Probe& p : scene_.probes) {
+    const auto value = probe(solver(), p, p.point);
+    const auto minus = p.minus.empty() ? std::optional<double>(0) : probe(solver(), p, p.minus);
+    if (value && minus)
+      out.figures.emplace_back(p.name, *value - *minus);  // a body may cover the point for a while
+  }
+  for (const auto& [name, force] : solver().boundary_forces()) {
+    out.figures.emplace_back("force_x:" + name, scene_.thickness * force.x());
+    out.figures.emplace_back("force_y:" + name, scene_.thickness * force.y());
+  }
+  return out;
+}
+
+void FluidService::restore() { solver().restore(); }
+
+proto::Fields FluidService::write(const proto::Write& message) {
+  const Mesh& mesh = solver().mesh();
+  const State& state = solver().state();
+  proto::Fields out{.time = state.time};
+  if (message.mesh) {
+    for (Index n = 0; n < mesh.n_nodes(); ++n) {
+      const Vec2 x = mesh.node_position(n);
+      out.points.insert(out.points.end(), {x.x(), x.y(), 0});
+    }
+    for (Index c = 0; c < mesh.n_cells(); ++c)
+      for (Index node : mesh.cell_nodes(c)) out.cells.push_back(static_cast<std::uint32_t>(node));
+  }
+  proto::Field velocity{.name = "velocity", .components = 2, .values = {state.u.begin(), state.u.end()}};
+  proto::Field pressure{.name = "pressure", .values = {state.p.begin(), state.p.end()}};
+  for (const auto& [a, b] : mesh.edges) pressure.values.push_back(0.5 * (state.p[a] + state.p[b]));
+  proto::Field active{.name = "active", .on_cells = true};
+  for (const bool is_active : solver().active_cells()) active.values.push_back(is_active ? 1 : 0);
+  out.fields = {std::move(velocity), std::move(pressure), std::move(active)};
+  return out;
+}
+
+proto::State FluidService::checkpoint() {
+  solver().drop_caches();
+  return {to_bytes(solver().state())};
+}
+
+proto::Figures FluidService::report() {
+  proto::Figures figures;
+  if (!solver_) return figures;
+  for (const auto& [name, seconds] : solver_->monitor.ledger.seconds)
+    figures.emplace_back("seconds:" + name, seconds);
+  for (const auto& [name, count] : solver_->monitor.ledger.counts) figures.emplace_back(name, count);
+  figures.emplace_back("unknowns", solver_->n_unknowns());
+  return figures;
+}
+
+NavierStokes& FluidService::solver() {
+  require(solver_.has_value(),
+          "the fluid must be configured before it is asked for anything: send Configure first");
+  return *solver_;
+}
+
+}  // namespace fpi::fluid

@@ -1,0 +1,29 @@
+/// The fluid as a participant: message → library call → reply. Forces leave here for the scene's thickness.
+#pragma once
+
+#include <optional>
+
+#include "fluid/navier_stokes.hpp"
+#include "proto/participant.hpp"
+#include "scene/scene.hpp"
+
+namespace fpi::fluid {
+
+class FluidService : public proto::FluidParticipant {
+ public:
+  proto::Configured configure(const proto::Configure& message) override;
+  proto::FluidAdvanced advance(const proto::Stamp& stamp, const proto::FluidAdvance& message) override;
+  proto::Accepted accept() override;
+  void restore() override;
+  proto::Fields write(const proto::Write& message) override;
+  proto::State checkpoint() override;
+  proto::Figures report() override;
+
+ private:
+  NavierStokes& solver();
+
+  scene::Scene scene_;
+  std::optional<NavierStokes> solver_;
+};
+
+}  // namespace fpi::fluid
