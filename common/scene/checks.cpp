@@ -11,6 +11,9 @@ namespace fpi::scene {
 namespace {
 
 constexpr std::array<std::string_view, 4> rectangle_sides{"left", "right", "bottom", "top"};
+constexpr std::array<std::string_view, 8> history_columns{
+    "time", "step", "sub_iterations", "residual_velocity", "residual_force", "newton_iterations",
+    "drag", "lift"};
 
 /// " (did you mean \"steel\"?)", or the whole list where nothing is near.
 template <class Range>
@@ -108,6 +111,14 @@ void check_coefficients(const Scene& scene, ParameterVisitor& v) {
                       : "must name a body or a boundary" + hint(scene.coefficients->on, names));
 }
 
+void check_probes(const Scene& scene, ParameterVisitor& v) {
+  v.require(scene.probes.empty() || scene.fluid, "probes", "must go with a [fluid]");
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    const bool taken = std::ranges::find(history_columns, scene.probes[i].name) != history_columns.end();
+    v.require(!taken, key_of("probes", i, "name"), "must not be the name of another column of history.csv");
+  }
+}
+
 void check_motion(const Scene& scene, ParameterVisitor& v) {
   v.require(scene.fluid || scene.moves_freely(), "fluid",
             "must be there where no body is free: nothing would happen");
@@ -132,7 +143,7 @@ void check(const Scene& scene, ParameterVisitor& v) {
   if (scene.fluid) check_boundaries(*scene.fluid, v);
   check_coefficients(scene, v);
   check_motion(scene, v);
-  v.require(scene.probes.empty() || scene.fluid, "probes", "must go with a [fluid]");
+  check_probes(scene, v);
 }
 
 }  // namespace fpi::scene

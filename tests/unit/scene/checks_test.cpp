@@ -82,6 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"prescribed_velocity", with(settling, "radius =", "motion = \"prescribed\"\nradius ="),
              "drop.toml:24: bodies.0.prescribed_velocity must have a formula for each axis where motion = "
              "\"prescribed\"; got nothing"},
+        Case{"probe_name", settling + "[[probes]]\nname = \"drag\"\npoint = [0, 0]\n",
+             "drop.toml:39: probes.0.name must not be the name of another column of history.csv; got "
+             "\"drag\""},
         Case{"dry_probe",
              with(with(settling,
                        settling.substr(settling.find("[fluid]"),
