@@ -11,7 +11,7 @@ namespace {
 Vec3 to_eigen(const proto::Vec3& v) { return {v[0], v[1], v[2]}; }
 proto::Vec3 to_wire(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-Setup make_setup(const scene::Scene& scene) {
+Problem make_problem(const scene::Scene& scene) {
   return {.gravity = to_eigen(scene::to_vec3(scene.gravity)),
           .thickness = scene.thickness,
           .dem = scene.dem.value_or(scene::Dem{}),
@@ -64,7 +64,7 @@ std::vector<std::string> notes(const Model& model) {
 proto::Configured DemService::configure(const proto::Configure& message) {
   progress.set("configure");
   const scene::Scene scene = scene::read_text(message.scene, "the scene sent by the coupler");
-  solver_.emplace(make_setup(scene));
+  solver_.emplace(make_problem(scene));
   if (!message.state.empty()) solver_->resume(message.state);
   const Model& model = solver_->model();
   return {.notes = notes(model), .figures = {{"bodies", static_cast<double>(model.bodies.size())}}};

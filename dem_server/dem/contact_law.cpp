@@ -59,7 +59,7 @@ double damping_ratio(double e) {
 
 double contact_time(double mass, double radius, double normal_modulus, double speed) {
   const double m_over_e = mass / normal_modulus;
-  return 2.8683 * std::pow(m_over_e * m_over_e / (radius * speed), 0.2);
+  return 2.868266 * std::pow(m_over_e * m_over_e / (radius * speed), 0.2);
 }
 
 double equivalent_speed(const PairLaw& law, const Normal& c) {

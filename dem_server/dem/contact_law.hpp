@@ -44,7 +44,7 @@ double restitution(double damping_ratio);
 /// Its inverse, ζ(e) for 0 < e ≤ 1.
 double damping_ratio(double restitution);
 
-/// Duration t_c of an undamped impact [s]: 2.8683 (m*²/(R* E*² v))^(1/5); infinite at v = 0.
+/// Duration t_c of an undamped impact [s]: 2.868266 (m*²/(R* E*² v))^(1/5); infinite at v = 0.
 double contact_time(double mass, double radius, double normal_modulus, double speed);
 
 /// Normal state of one contact.

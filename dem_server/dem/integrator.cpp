@@ -9,7 +9,7 @@ namespace fpi::dem {
 namespace {
 
 constexpr double worth_flying = 4;      ///< sub-steps that a flight must save
-constexpr double most_sub_steps = 1e9;  ///< in one step of the coupling
+constexpr double most_sub_steps = 1e8;  ///< in one step of the coupling, flights included
 
 class Integration {
  public:
@@ -28,7 +28,7 @@ class Integration {
     for (left_ = duration; left_ > 0 && outcome_.converged;) {
       const Outlook ahead = look_ahead(model_, motions_, loads_, neighbours_, left_);
       if (std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step) {
-        fly(ahead.free_time);
+        fly(ahead);
       } else {
         take_sub_steps(ahead.contact_step);
       }
@@ -39,12 +39,16 @@ class Integration {
   }
 
  private:
-  /// One step through free space, as far as nothing can touch and the search for neighbours holds.
-  void fly(double free_time) {
-    const double wanted = std::min({left_, free_time, model_.largest_sub_step});
+  /// One step through free space, as far as nothing can touch and the search for neighbours holds. It ends a
+  /// sub-step before the surfaces meet, so that the contact starts among sub-steps.
+  void fly(const Outlook& ahead) {
+    const double before_contact =
+        std::isinf(ahead.free_time) ? ahead.free_time : ahead.free_time - ahead.contact_step;
+    const double wanted = std::min({left_, before_contact, model_.largest_sub_step});
     const double within_skin = time_within_skin(model_, motions_, loads_, neighbours_);
     if (within_skin < wanted && neighbours_.origin != motions_.position) return search_neighbours();
     const double duration = std::min(wanted, within_skin);
+    if (!is_affordable(left_ / duration)) return;
     forces_ = loads_;
     forces_stand_ = false;
     kick(0.5 * duration);
@@ -57,13 +61,10 @@ class Integration {
 
   /// About one contact time of sub-steps, or what is left; ends early where a search finds new neighbours.
   void take_sub_steps(double contact_step) {
-    const double wanted = std::ceil(left_ / std::min({left_, contact_step, model_.largest_sub_step}));
-    if (!(static_cast<double>(outcome_.sub_steps) + wanted < most_sub_steps)) {
-      return stop(fmt::format(
-          "at most {:g} sub-steps a step are allowed; the contacts need {:g} for the {} s that are "
-          "left: take a shorter time step or a smaller youngs_modulus",
-          most_sub_steps, wanted, left_));
-    }
+    // Steps that keep their length keep the integrator symplectic: a hundredth is not worth another one.
+    const double longest = std::min(contact_step, model_.largest_sub_step);
+    const double wanted = std::max(1.0, std::ceil(left_ / longest - 0.01));
+    if (!is_affordable(wanted)) return;
     const double dt = left_ / wanted;
     if (!forces_stand_) find_forces_at_start(dt);
     const double batch = std::min(wanted, std::ceil(model_.steps_per_contact));
@@ -84,6 +85,16 @@ class Integration {
     find_forces(dt, dt);
     kick(0.5 * dt);
     ++outcome_.sub_steps;
+  }
+
+  /// Stops where `more` steps would be too many.
+  bool is_affordable(double more) {
+    if (static_cast<double>(outcome_.sub_steps) + more < most_sub_steps) return true;
+    stop(fmt::format(
+        "at most {:g} sub-steps are allowed; got {:g} for the {} s that are left: take a shorter time step, "
+        "a smaller youngs_modulus, or find the body that is too fast",
+        most_sub_steps, more, left_));
+    return false;
   }
 
   void kick(double duration) {

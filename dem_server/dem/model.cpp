@@ -18,9 +18,9 @@ Vec3 spin_of(const scene::Body& body) {
   return {a[0], a[1], a[2]};
 }
 
-std::size_t material_index(const Setup& setup, const std::string& owner, const std::string& name) {
-  const auto& materials = setup.materials;
-  const bool alone = setup.bodies.size() == 1 && setup.walls.empty();
+std::size_t material_index(const Problem& problem, const std::string& owner, const std::string& name) {
+  const auto& materials = problem.materials;
+  const bool alone = problem.bodies.size() == 1 && problem.walls.empty();
   if (name.empty() && (alone || !materials.empty())) return 0;
   const auto found = std::ranges::find(materials, name, &scene::Material::name);
   require(found != materials.end(), "a material for {} is required; got \"{}\": add it to [[materials]]",
@@ -28,10 +28,10 @@ std::size_t material_index(const Setup& setup, const std::string& owner, const s
   return static_cast<std::size_t>(found - materials.begin());
 }
 
-void add_body(const Setup& setup, const scene::Body& body, Bodies& bodies) {
+void add_body(const Problem& problem, const scene::Body& body, Bodies& bodies) {
   const double R = body.radius;
   require(std::isfinite(R) && R > 0, "body {} must have a radius > 0 m; got {}", body.name, R);
-  const double mass = body.density * body.volume(R, setup.thickness);
+  const double mass = body.density * body.volume(R, problem.thickness);
   require(!body.is_free() || (std::isfinite(mass) && mass > 0),
           "free body {} must have a mass > 0 kg; got {} kg from density {} kg/m³: give it a density, or make "
           "it fixed or prescribed",
@@ -42,25 +42,25 @@ void add_body(const Setup& setup, const scene::Body& body, Bodies& bodies) {
   bodies.mass.push_back(mass);
   bodies.inverse_mass.push_back(body.is_free() ? 1 / mass : 0);
   bodies.inverse_inertia.push_back(body.is_free() ? 1 / inertia : 0);
-  bodies.material.push_back(material_index(setup, "body " + body.name, body.material));
+  bodies.material.push_back(material_index(problem, "body " + body.name, body.material));
 }
 
-Plane make_wall(const Setup& setup, const scene::Wall& wall) {
+Plane make_wall(const Problem& problem, const scene::Wall& wall) {
   const Vec3 normal = to_eigen(wall.normal), point = to_eigen(wall.point);
   const double length = normal.norm();
   require(std::isfinite(length) && length > 0 && point.allFinite(),
           "wall {} must have a finite point and a normal that is not zero; got length {}", wall.name, length);
   return {wall.name, normal / length, point.dot(normal) / length,
-          material_index(setup, "wall " + wall.name, wall.material)};
+          material_index(problem, "wall " + wall.name, wall.material)};
 }
 
 /// Everything that would leave the plane z = 0 of a scene of discs.
-void check_plane(const Setup& setup) {
-  require(setup.gravity.z() == 0, "gravity of a plane scene must have z = 0; got {}", setup.gravity.z());
-  for (const auto& wall : setup.walls) {
+void check_plane(const Problem& problem) {
+  require(problem.gravity.z() == 0, "gravity of a plane scene must have z = 0; got {}", problem.gravity.z());
+  for (const auto& wall : problem.walls) {
     require(to_eigen(wall.normal).z() == 0, "wall {} of a plane scene must have a normal in x, y", wall.name);
   }
-  for (const auto& body : setup.bodies) {
+  for (const auto& body : problem.bodies) {
     require(body.shape == "disc", "body {} must be a disc, as the first body is; got a {}", body.name,
             body.shape);
     const Vec3 spin = spin_of(body);
@@ -73,29 +73,29 @@ void check_plane(const Setup& setup) {
 
 }  // namespace
 
-Model make_model(const Setup& setup) {
-  require(!setup.bodies.empty(), "a DEM scene must have a body; got none: add [[bodies]]");
-  require(setup.gravity.allFinite(), "gravity must be finite");
+Model make_model(const Problem& problem) {
+  require(!problem.bodies.empty(), "a DEM scene must have a body; got none: add [[bodies]]");
+  require(problem.gravity.allFinite(), "gravity must be finite");
   Model model;
-  model.plane = setup.bodies[0].shape == "disc";
-  if (model.plane) check_plane(setup);
-  model.gravity = setup.gravity;
-  model.steps_per_contact = setup.dem.steps_per_contact;
-  model.largest_sub_step =
-      setup.dem.largest_sub_step > 0 ? setup.dem.largest_sub_step : std::numeric_limits<double>::infinity();
-  for (const auto& body : setup.bodies) {
+  model.plane = problem.bodies[0].shape == "disc";
+  if (model.plane) check_plane(problem);
+  model.gravity = problem.gravity;
+  model.steps_per_contact = problem.dem.steps_per_contact;
+  model.largest_sub_step = problem.dem.largest_sub_step > 0 ? problem.dem.largest_sub_step
+                                                            : std::numeric_limits<double>::infinity();
+  for (const auto& body : problem.bodies) {
     require((body.shape == "disc") == model.plane, "body {} must be a sphere, as the first body is",
             body.name);
-    add_body(setup, body, model.bodies);
+    add_body(problem, body, model.bodies);
   }
-  for (const auto& wall : setup.walls) model.walls.push_back(make_wall(setup, wall));
-  model.laws = LawTable(setup.materials);
+  for (const auto& wall : problem.walls) model.walls.push_back(make_wall(problem, wall));
+  model.laws = LawTable(problem.materials);
   return model;
 }
 
-Motions initial_motions(const Setup& setup) {
+Motions initial_motions(const Problem& problem) {
   Motions motions;
-  for (const auto& body : setup.bodies) {
+  for (const auto& body : problem.bodies) {
     motions.position.push_back(to_eigen(body.position));
     motions.velocity.push_back(to_eigen(body.velocity));
     motions.spin.push_back(spin_of(body));
@@ -103,7 +103,7 @@ Motions initial_motions(const Setup& setup) {
                 motions.spin.back().allFinite(),
             "body {} must start with a finite position, velocity and spin", body.name);
   }
-  motions.orientation.resize(setup.bodies.size());
+  motions.orientation.resize(problem.bodies.size());
   return motions;
 }
 

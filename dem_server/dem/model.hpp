@@ -14,7 +14,7 @@
 namespace fpi::dem {
 
 /// The DEM's part of a scene.
-struct Setup {
+struct Problem {
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
   double thickness = 1;         ///< of a plane scene [m]
   scene::Dem dem;
@@ -63,9 +63,9 @@ struct Model {
 
 /// Throws Error naming the body, wall or material at fault: names twice, an unknown material, a free body
 /// without mass, discs among spheres or moving out of their plane, numbers that are not finite.
-Model make_model(const Setup& setup);
+Model make_model(const Problem& problem);
 
 /// The motions at the start. Throws Error naming a body whose numbers are not finite.
-Motions initial_motions(const Setup& setup);
+Motions initial_motions(const Problem& problem);
 
 }  // namespace fpi::dem

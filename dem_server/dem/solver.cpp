@@ -25,8 +25,8 @@ void check_body(const Model& model, std::uint32_t body, const char* what) {
 
 }  // namespace
 
-Solver::Solver(const Setup& setup) : model_(make_model(setup)) {
-  accepted_.motions = initial_motions(setup);
+Solver::Solver(const Problem& problem) : model_(make_model(problem)) {
+  accepted_.motions = initial_motions(problem);
   search(model_, accepted_.motions.position, accepted_.neighbours);
   check_overlaps(model_, accepted_);
   restore();

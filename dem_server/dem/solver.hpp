@@ -30,7 +30,7 @@ class Solver {
  public:
   /// Throws Error for a set-up that cannot be run, among it free bodies that overlap at the start by more
   /// than 1 % of a radius.
-  explicit Solver(const Setup& setup);
+  explicit Solver(const Problem& problem);
 
   /// Throws Error for a step that is not > 0 s, a body that does not exist, or numbers that are not finite. A
   /// body that is not free and not among `prescribed` stays where it is.

@@ -20,7 +20,7 @@ constexpr std::size_t pair_size = 2 * sizeof(std::uint32_t) + 6 * sizeof(double)
 class Writer {
  public:
   template <class T>
-    requires std::is_arithmetic_v<T>
+  requires std::is_arithmetic_v<T>
   void operator()(const T& value) {
     const auto* first = reinterpret_cast<const std::uint8_t*>(&value);
     bytes.insert(bytes.end(), first, first + sizeof(T));

@@ -20,14 +20,11 @@ Vec3 relative_acceleration(const Model& model, const Forces& loads, const Pair& 
   return pair.b < model.bodies.size() ? Vec3(a - w[pair.b] * loads.force[pair.b]) : a;
 }
 
-/// Sub-step of a pair that meets with the speed it can have by then; damping above ζ = 1 is stiffer than the
-/// spring.
-double contact_step(const Model& model, const Pair& pair, Normal state, double relative_speed,
-                    double gained) {
+/// Sub-step of a pair that meets with `speed` [m/s]; damping above ζ = 1 is stiffer than the spring.
+double contact_step(const Model& model, const Pair& pair, Normal state, double speed) {
   const PairLaw& law = law_of(model, pair);
-  state.rate = relative_speed;
-  const double speed = equivalent_speed(law, state) + gained;
-  const double t_c = contact_time(state.mass, state.radius, law.normal_modulus, speed);
+  state.rate = speed;
+  const double t_c = contact_time(state.mass, state.radius, law.normal_modulus, equivalent_speed(law, state));
   return t_c / (model.steps_per_contact * std::max(1.0, law.damping_ratio));
 }
 
@@ -49,11 +46,12 @@ Outlook look_ahead(const Model& model, const Motions& motions, const Forces& loa
     const Normal state = normal_state(model, pair, gap, motions.velocity);
     const Vec3 acceleration = relative_acceleration(model, loads, pair);
     const double meeting = time_to_close(gap.gap, state.rate, acceleration.dot(gap.normal));
-    if (!(meeting < horizon)) continue;
+    if (std::isinf(meeting)) continue;
+    const double speed = relative(motions.velocity, pair).norm() + acceleration.norm() * horizon;
+    const double step = contact_step(model, pair, state, speed);
+    if (meeting >= horizon + step) continue;
     outlook.free_time = std::min(outlook.free_time, meeting);
-    const double speed = relative(motions.velocity, pair).norm();
-    outlook.contact_step = std::min(outlook.contact_step,
-                                    contact_step(model, pair, state, speed, acceleration.norm() * horizon));
+    outlook.contact_step = std::min(outlook.contact_step, step);
   }
   return outlook;
 }

@@ -7,7 +7,8 @@
 namespace fpi::dem {
 
 struct Outlook {
-  double free_time;     ///< [s] before which nothing touches; infinite where nothing does in the step
+  double
+      free_time;  ///< [s] before which nothing touches; infinite where nothing does in the step or just after
   double contact_step;  ///< [s] t_c/steps_per_contact of the stiffest pair that can touch; else infinite
 };
 

@@ -1,0 +1,67 @@
+#include "dem/contact_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "grains.hpp"
+
+namespace fpi::dem {
+namespace {
+
+using test::material;
+
+TEST(ContactLaw, damping_ratio_inverts_restitution) {
+  for (const double e : {1e-6, 0.01, 0.1, std::exp(-2.0), 0.5, 0.9, 0.999, 1.0}) {
+    EXPECT_NEAR(restitution(damping_ratio(e)) / e, 1, 1e-9) << e;
+  }
+  EXPECT_EQ(damping_ratio(1), 0);
+}
+
+TEST(ContactLaw, restitution_is_continuous_at_critical_damping) {
+  EXPECT_NEAR(restitution(1 - 1e-7), restitution(1 + 1e-7), 1e-6);
+  EXPECT_NEAR(restitution(1), std::exp(-2.0), 1e-15);
+}
+
+TEST(ContactLaw, materials_combine_by_the_stated_rules) {
+  const PairLaw law = combine(material(2e9, 0.25, 0.4, 0.5, 0.2), material(4e9, 0.3, 0.9, 0.3, 0.1));
+  EXPECT_NEAR(1 / law.normal_modulus, 0.9375 / 2e9 + 0.91 / 4e9, 1e-24);
+  EXPECT_NEAR(1 / law.shear_modulus, 1.75 * 2.5 / 2e9 + 1.7 * 2.6 / 4e9, 1e-24);
+  EXPECT_NEAR(restitution(law.damping_ratio), 0.6, 1e-12);
+  EXPECT_EQ(law.friction, 0.3);
+  EXPECT_EQ(law.rolling_friction, 0.1);
+}
+
+TEST(ContactLaw, normal_force_at_rest_is_hertz) {
+  const PairLaw law = combine(material(1e9, 0.25, 0.5), material(1e9, 0.25, 0.5));
+  const Normal state{.mass = 1, .radius = 0.01, .overlap = 1e-5, .rate = 0};
+  const double expected = 4.0 / 3 * law.normal_modulus * 0.1 * std::pow(1e-5, 1.5);
+  EXPECT_NEAR(normal_force(law, state, 1e-6) / expected, 1, 1e-14);
+}
+
+TEST(ContactLaw, normal_force_never_pulls) {
+  const PairLaw law = combine(material(1e9, 0.25, 0.1), material(1e9, 0.25, 0.1));
+  EXPECT_EQ(normal_force(law, {.mass = 1, .radius = 0.01, .overlap = 1e-7, .rate = -1}, 1e-9), 0);
+}
+
+TEST(ContactLaw, equivalent_speed_is_that_of_the_impact_all_along) {
+  const PairLaw law = combine(material(1e9, 0.25), material(1e9, 0.25));
+  const Normal start{.mass = 2, .radius = 0.01, .overlap = 0, .rate = 3};
+  const double k = 4.0 / 3 * law.normal_modulus * 0.1;
+  const double deepest = std::pow(1.25 * 2 * 9 / k, 0.4);
+  const Normal turning{.mass = 2, .radius = 0.01, .overlap = deepest, .rate = 0};
+  EXPECT_NEAR(equivalent_speed(law, start), 3, 1e-14);
+  EXPECT_NEAR(equivalent_speed(law, turning), 3, 1e-12);
+}
+
+TEST(ContactLaw, a_spring_past_its_limit_slips_and_keeps_what_the_limit_carries) {
+  Vec3 stretch(3e-3, 4e-3, 0);
+  const Vec3 stuck = stick_slip(1000, 0, 10, Vec3::Zero(), stretch);
+  EXPECT_EQ(stuck, Vec3(-3, -4, 0));
+  const Vec3 slipping = stick_slip(1000, 0, 1, Vec3::Zero(), stretch);
+  EXPECT_LT((slipping - Vec3(-0.6, -0.8, 0)).norm(), 1e-14);
+  EXPECT_LT((stretch - Vec3(0.6e-3, 0.8e-3, 0)).norm(), 1e-17);
+}
+
+}  // namespace
+}  // namespace fpi::dem

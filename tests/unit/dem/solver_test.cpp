@@ -1,0 +1,216 @@
+/// Rollback, checkpoints, the search for neighbours, and requests that are refused.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "grains.hpp"
+
+namespace fpi::dem {
+namespace {
+
+using test::bitwise_equal;
+using test::body;
+using test::box_of_discs;
+using test::material;
+using test::step;
+
+constexpr double dt = 5e-3;
+
+Solver settled_for(int steps) {
+  Solver solver(box_of_discs());
+  for (int i = 0; i < steps; ++i) step(solver, dt);
+  return solver;
+}
+
+TEST(Solver, advance_twice_is_bitwise_the_same) {
+  Solver solver = settled_for(20);
+  const Load push{.body = 3, .force = {0.1, 0.2, 0}};
+  ASSERT_GT(solver.advance(dt, {}).contacts, 5u);
+  const Motions first = solver.motions();
+  solver.advance(2 * dt, std::span(&push, 1));  // another trial in between
+  EXPECT_FALSE(bitwise_equal(solver.motions(), first));
+  solver.advance(dt, {});
+  EXPECT_TRUE(bitwise_equal(solver.motions(), first));
+}
+
+TEST(Solver, restore_is_bitwise) {
+  Solver solver = settled_for(20);
+  const Motions accepted = solver.motions();
+  solver.advance(dt, {});
+  EXPECT_FALSE(bitwise_equal(solver.motions(), accepted));
+  solver.restore();
+  EXPECT_TRUE(bitwise_equal(solver.motions(), accepted));
+}
+
+TEST(Solver, a_resumed_run_goes_on_bitwise_as_the_one_that_went_on) {
+  Solver solver = settled_for(20);
+  const std::vector<std::uint8_t> bytes = solver.checkpoint();
+  Solver resumed(box_of_discs());
+  resumed.resume(bytes);
+  EXPECT_EQ(resumed.checkpoint(), bytes);
+  for (int i = 0; i < 20; ++i) {
+    step(solver, dt);
+    step(resumed, dt);
+  }
+  EXPECT_TRUE(bitwise_equal(solver.motions(), resumed.motions()));
+}
+
+TEST(Solver, a_box_of_discs_loses_energy_and_comes_to_rest) {
+  Solver solver(box_of_discs());
+  double last = test::energy(solver), deepest = 0;
+  for (int i = 0; i < 30; ++i) {
+    for (int k = 0; k < 20; ++k) deepest = std::max(deepest, step(solver, dt).largest_overlap);
+    EXPECT_LE(test::energy(solver), last + 1e-9 * std::abs(last));
+    last = test::energy(solver);
+  }
+  for (std::size_t i = 0; i < 25; ++i) {
+    EXPECT_LT(solver.motions().velocity[i].norm(), 1e-4) << i;
+    EXPECT_GT(solver.motions().position[i].y(), 0) << i;
+  }
+  EXPECT_GT(deepest, 0);
+}
+
+TEST(Solver, grains_at_rest_are_not_searched_for_again) {
+  Solver solver = settled_for(600);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(step(solver, dt).searches, 0u);
+}
+
+TEST(Solver, a_search_finds_the_pairs_that_all_pairs_would) {
+  const Solver solver = settled_for(50);
+  const auto& x = solver.motions().position;
+  Neighbours found;
+  search(solver.model(), x, found);
+  std::vector<Pair> expected;
+  for (std::uint32_t a = 0; a < x.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < x.size() + solver.model().walls.size(); ++b) {
+      if (separation(solver.model(), x, {a, b}).gap <= found.skin) expected.push_back({a, b});
+    }
+  }
+  EXPECT_EQ(found.pairs, expected);
+  EXPECT_LT(found.pairs.size(), x.size() * x.size() / 4);
+}
+
+TEST(Solver, the_whole_weight_acts) {
+  Problem problem = box_of_discs();
+  problem.walls.clear();
+  Solver solver(problem);
+  step(solver, 1e-3);
+  EXPECT_NEAR(solver.motions().velocity[7].y(), -9.81e-3, 1e-15);
+}
+
+TEST(Solver, a_body_pushed_through_a_wall_does_not_converge_and_is_named) {
+  Solver solver(
+      test::on_floor(material(1e3, 0.3), body("lead", "sphere", 0.01, 11000, {0, 0.02, 0}, {0, -50, 0})));
+  const Advanced outcome = solver.advance(1e-2, {});
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_NE(outcome.reason.find("lead and floor overlap"), std::string::npos) << outcome.reason;
+}
+
+TEST(Solver, a_body_that_is_not_finite_does_not_converge_and_is_named) {
+  Solver solver(test::on_floor(material(1e6, 0.3), body("mote", "sphere", 0.01, 1, {0, 1, 0})));
+  const Load load{.body = 0, .force = {1e308, 0, 0}};
+  const Advanced outcome = solver.advance(1, std::span(&load, 1));
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_NE(outcome.reason.find("mote"), std::string::npos) << outcome.reason;
+}
+
+TEST(Solver, a_body_too_fast_for_any_step_does_not_hang) {
+  Solver solver(box_of_discs());
+  const Load load{.body = 4, .force = {1e308, 0, 0}};
+  const Advanced outcome = solver.advance(1, std::span(&load, 1));
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_NE(outcome.reason.find("sub-steps"), std::string::npos) << outcome.reason;
+}
+
+/// The sentence of the Error that `action` throws; "" where it throws none.
+template <class Action>
+std::string complaint(Action action) {
+  try {
+    action();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+std::string refusal(const Problem& problem) {
+  return complaint([&] { Solver{problem}; });
+}
+
+TEST(Solver, refuses_set_ups_that_cannot_be_run) {
+  const auto changed = [](auto change) {
+    Problem problem = box_of_discs();
+    change(problem);
+    return refusal(problem);
+  };
+  EXPECT_EQ(changed([](Problem&) {}), "");
+  EXPECT_NE(changed([](Problem& s) { s.bodies[3].density = 0; }).find("free body disc3 must have a mass"),
+            std::string::npos);
+  EXPECT_NE(changed([](Problem& s) { s.bodies[4].position = s.bodies[3].position; }).find("disc3 and disc4"),
+            std::string::npos);
+  EXPECT_NE(changed([](Problem& s) { s.bodies[0].position[1] = -0.5; }).find("disc0 and floor"),
+            std::string::npos);
+  EXPECT_NE(changed([](Problem& s) {
+              s.bodies[2].velocity = {0, NAN};
+            }).find("disc2 must start with a finite"),
+            std::string::npos);
+  EXPECT_NE(changed([](Problem& s) { s.bodies[2].shape = "sphere"; }).find("disc2 must be a disc"),
+            std::string::npos);
+  EXPECT_NE(changed([](Problem& s) {
+              s.bodies[2].velocity = {0, 0, 1};
+            }).find("plane z = 0"),
+            std::string::npos);
+  EXPECT_NE(changed([](Problem& s) { s.bodies[2].material = "steel"; }).find("\"steel\""), std::string::npos);
+  EXPECT_NE(changed([](Problem& s) { s.materials.clear(); }).find("material for body disc0"),
+            std::string::npos);
+  EXPECT_NE(changed([](Problem& s) { s.walls[0].normal = {0, 0}; }).find("wall floor"), std::string::npos);
+  EXPECT_NE(changed([](Problem& s) { s.bodies.clear(); }).find("must have a body"), std::string::npos);
+}
+
+TEST(Solver, refuses_steps_that_cannot_be_taken) {
+  Solver solver(box_of_discs());
+  const auto asked = [&](double time_step, Load load) {
+    return complaint([&] { solver.advance(time_step, std::span(&load, 1)); });
+  };
+  EXPECT_NE(asked(0, {}).find("time_step > 0"), std::string::npos);
+  EXPECT_NE(asked(NAN, {}).find("time_step > 0"), std::string::npos);
+  EXPECT_NE(asked(1, {.body = 25}).find("25"), std::string::npos);
+  EXPECT_NE(asked(1, {.body = 1, .force = {INFINITY, 0, 0}}).find("disc1"), std::string::npos);
+  const Prescribed motion{.body = 5};
+  EXPECT_NE(complaint([&] { solver.advance(1, {}, std::span(&motion, 1)); }).find("disc5 is free"),
+            std::string::npos);
+}
+
+TEST(Solver, refuses_a_step_of_too_many_sub_steps) {
+  Solver solver(test::on_floor(material(1e12, 0.3), body("grain", "sphere", 1e-6, 2500, {0, 1e-6, 0})));
+  const Advanced outcome = solver.advance(1e6, {});
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_NE(outcome.reason.find("sub-steps"), std::string::npos) << outcome.reason;
+}
+
+TEST(Solver, refuses_damaged_state) {
+  Solver solver = settled_for(20);
+  const std::vector<std::uint8_t> good = solver.checkpoint();
+  const auto refused = [&](auto change) {
+    std::vector<std::uint8_t> bytes = good;
+    change(bytes);
+    return complaint([&] { solver.resume(bytes); });
+  };
+  const auto put = [](std::vector<std::uint8_t>& bytes, std::size_t at, auto value) {
+    std::memcpy(bytes.data() + at, &value, sizeof value);
+  };
+  EXPECT_EQ(refused([](auto&) {}), "");
+  EXPECT_NE(refused([](auto& b) { b.clear(); }), "");
+  EXPECT_NE(refused([](auto& b) { b.pop_back(); }), "");
+  EXPECT_NE(refused([](auto& b) { b.push_back(0); }), "");
+  EXPECT_NE(refused([](auto& b) { b[0] ^= 1; }), "");
+  EXPECT_NE(refused([&](auto& b) { put(b, 8, std::uint64_t{24}); }), "");
+  EXPECT_NE(refused([&](auto& b) { put(b, 16, ~std::uint64_t{0}); }), "");
+  EXPECT_NE(refused([&](auto& b) { put(b, 24, double{NAN}); }), "");
+  EXPECT_NE(refused([&](auto& b) { put(b, 40, 1.0); }), "") << "z of a disc";
+  EXPECT_NE(refused([&](auto& b) { put(b, 48, 2.0); }), "") << "w of a quaternion";
+  EXPECT_NE(refused([&](auto& b) { put(b, 24 + 25 * 13 * 8, std::uint32_t{900}); }), "") << "a contact";
+}
+
+}  // namespace
+}  // namespace fpi::dem
