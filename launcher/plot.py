@@ -90,6 +90,7 @@ def snapshots(fields: results.Fields, bodies: results.Bodies | None, quantity, l
     for axis, shot, value in zip(axes.flat, shots, values):
         image = axis.tripcolor(visible(fields, shot), value, shading="gouraud", cmap=colours, vmin=low, vmax=high)
         add_bodies(axis, bodies, shot.time)
+        axis.autoscale(tight=True)
         finish_map(axis, f"t = {shot.time:.4g} s" if len(shots) > 1 else "")
     figure.colorbar(image, ax=axes, label=label, shrink=0.8, pad=0.02)
     return figure
@@ -121,7 +122,7 @@ def traction_vectors(tractions: results.Tractions, bodies: results.Bodies, field
         index = int(np.argmin([abs(fields.time(i) - tractions.time) for i in range(len(fields))]))
         shot = fields.snapshot(index)
         value = speed(shot)
-        image = axis.tripcolor(visible(fields, shot), value, shading="gouraud", cmap="viridis", alpha=0.85,
+        image = axis.tripcolor(visible(fields, shot), value, shading="gouraud", cmap="viridis",
                                vmin=0, vmax=max(value.max(), 1e-300))
         figure.colorbar(image, ax=axis, label="speed [m/s]", shrink=0.8)
     circles = [Circle(centre, r) for centre, r in zip(tractions.centre, bodies.radius)]
@@ -130,11 +131,12 @@ def traction_vectors(tractions: results.Tractions, bodies: results.Bodies, field
     largest = max(size.max(), 1e-300)
     arrows = axis.quiver(*at.T, *tractions.traction.T, color="crimson", angles="xy", zorder=4,
                          scale=largest / bodies.radius.max(), scale_units="xy", width=0.004)
-    axis.quiverkey(arrows, 0.85, 1.03, largest, f"{largest:.3g} Pa", labelpos="E")
+    axis.quiverkey(arrows, 0.8, 0.04, largest, f"{largest:.3g} Pa", labelpos="E", color="crimson", labelcolor="white", zorder=5)
     margin = 2.5 * bodies.radius.max()
     axis.set_xlim(at[:, 0].min() - margin, at[:, 0].max() + margin)
     axis.set_ylim(at[:, 1].min() - margin, at[:, 1].max() + margin)
     finish_map(axis, f"traction of the fluid on the bodies, t = {tractions.time:.4g} s")
+    axis.spines[:].set_visible(True)
     return figure
 
 
