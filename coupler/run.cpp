@@ -84,7 +84,7 @@ void Run::give_up(const std::string& reason) {
 void Run::record(double time, const Attempt& attempt, bool fields_due) {
   reported_ = reported(scene_, simulation_);
   statistics_.add_step(attempt.sub_iterations, attempt.largest_overlap);
-  log::debug("step {}: t = {} s, {} sub-iterations, change of velocity {:.2g}, of force {:.2g}",
+  log::debug("step {}: t = {} s, {} sub-iterations, residual of velocity {:.2g}, of force {:.2g}",
              simulation_.steps(), time, attempt.sub_iterations, attempt.velocity.relative,
              attempt.force.relative);
   {

@@ -28,6 +28,9 @@ class Run {
   Run(const scene::Scene& scene, Participants participants, std::string folder, std::uint64_t run,
       Ledger& ledger);
 
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
   /// Configures the participants and begins at t = 0 with new result files.
   void start(const MeshFile& mesh);
   /// Configures the participants as the checkpoint in the folder has them and continues there.

@@ -82,8 +82,7 @@ Attempt Simulation::attempt(double start, double end, double time_step) {
   const coupling::CoupledMap map = [this](const Eigen::VectorXd& x, std::uint32_t k) {
     return exchange(x, k);
   };
-  static_cast<coupling::StepResult&>(report_) =
-      iteration_.solve(map, dofs_.velocities(placed_), dofs_.loads(accepted_.loads));
+  static_cast<coupling::StepResult&>(report_) = iteration_.solve(map, dofs_.velocities(placed_), time_step);
   return report_;
 }
 

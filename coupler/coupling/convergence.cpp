@@ -3,26 +3,25 @@
 namespace fpi::coupling {
 namespace {
 
-double ratio(double change, double size) { return change > 0 ? change / size : 0; }
+double ratio(double residual, double size) { return residual > 0 ? residual / size : 0; }
 
 }  // namespace
 
-Change ConvergenceMeasure::velocity_change(const Eigen::VectorXd& before,
-                                           const Eigen::VectorXd& after) const {
-  const Eigen::VectorXd change = after - before;
-  return {
-      .relative = ratio(change.cwiseProduct(inertia_root_).norm(), after.cwiseProduct(inertia_root_).norm()),
-      .largest = change.cwiseProduct(lever_).lpNorm<Eigen::Infinity>()};
+Residual ConvergenceMeasure::velocity(const Eigen::VectorXd& residual,
+                                      const Eigen::VectorXd& velocities) const {
+  return {.relative = ratio(residual.cwiseProduct(inertia_root_).norm(),
+                            velocities.cwiseProduct(inertia_root_).norm()),
+          .largest = residual.cwiseProduct(lever_).lpNorm<Eigen::Infinity>()};
 }
 
-Change ConvergenceMeasure::force_change(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
-  const Eigen::VectorXd change = after - before;
-  return {.relative =
-              ratio(change.cwiseQuotient(inertia_root_).norm(), after.cwiseQuotient(inertia_root_).norm()),
-          .largest = change.cwiseQuotient(lever_).lpNorm<Eigen::Infinity>()};
+Residual ConvergenceMeasure::force(const Eigen::VectorXd& residual, const Eigen::VectorXd& forces,
+                                   double time_step) const {
+  const Eigen::VectorXd scaled = residual.cwiseProduct(inertia_root_) / time_step;
+  return {.relative = ratio(scaled.norm(), forces.cwiseQuotient(inertia_root_).norm()),
+          .largest = scaled.cwiseProduct(inertia_root_).cwiseQuotient(lever_).lpNorm<Eigen::Infinity>()};
 }
 
-bool ConvergenceMeasure::converged(const Change& velocity, const Change& force) const {
+bool ConvergenceMeasure::converged(const Residual& velocity, const Residual& force) const {
   const double tolerance = parameters_.relative_tolerance;
   return (velocity.relative <= tolerance || velocity.largest <= parameters_.absolute_velocity) &&
          (force.relative <= tolerance || force.largest <= parameters_.absolute_force);

@@ -1,5 +1,6 @@
-/// When a step has converged: the velocities that come back are those that went out, and the forces no longer
-/// change.
+/// When a step has converged: the velocities that come back are those that went out, and the force that is
+/// missing to make them so is small. Both are residuals of one exchange, so that a good guess is verified by
+/// a single one.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,9 +10,9 @@
 
 namespace fpi::coupling {
 
-/// One quantity's change in a sub-iteration.
-struct Change {
-  double relative = 0;  ///< in the norm of inertia, against the quantity's size; 0 where both vanish
+/// The size of one residual.
+struct Residual {
+  double relative = 0;  ///< in the norm of inertia, against the quantity itself; 0 where the residual is 0
   double largest = 0;   ///< the largest component [m/s] or [N]; spins count by R, torques by 1/R
 };
 
@@ -20,11 +21,13 @@ class ConvergenceMeasure {
   ConvergenceMeasure(const scene::Coupling& parameters, const RigidDofs& dofs)
       : parameters_(parameters), inertia_root_(dofs.inertia_root()), lever_(dofs.lever()) {}
 
-  Change velocity_change(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
-  Change force_change(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
+  /// Of r = H(x) − x against H(x).
+  Residual velocity(const Eigen::VectorXd& residual, const Eigen::VectorXd& velocities) const;
+  /// Of M r/Δt, the force that would turn x into H(x) within the step, against the force of the fluid.
+  Residual force(const Eigen::VectorXd& residual, const Eigen::VectorXd& forces, double time_step) const;
 
-  /// Both quantities pass, each by its relative or by its absolute measure.
-  bool converged(const Change& velocity, const Change& force) const;
+  /// Both pass, each by its relative or by its absolute measure.
+  bool converged(const Residual& velocity, const Residual& force) const;
 
  private:
   scene::Coupling parameters_;

@@ -12,10 +12,9 @@ StaggeredIteration::StaggeredIteration(const scene::Coupling& parameters, const 
       measure_(parameters, dofs),
       acceleration_(make_acceleration(parameters)) {}
 
-StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorXd& guess,
-                                     const Eigen::VectorXd& forces_before) {
+StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorXd& guess, double time_step) {
   StepResult result;
-  Eigen::VectorXd x = guess, forces = forces_before;
+  Eigen::VectorXd x = guess;
   acceleration_->begin_step();
   while (result.sub_iterations < max_iterations_) {
     const Exchange exchange = map(x, result.sub_iterations++);
@@ -27,17 +26,16 @@ StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorX
       result.reason = "velocities or forces are no longer finite";
       return result;
     }
-    result.velocity = measure_.velocity_change(x, exchange.velocities);
-    result.force = measure_.force_change(forces, exchange.forces);
+    const Eigen::VectorXd residual = exchange.velocities - x;
+    result.velocity = measure_.velocity(residual, exchange.velocities);
+    result.force = measure_.force(residual, exchange.forces, time_step);
     result.converged = measure_.converged(result.velocity, result.force);
     if (result.converged) return result;
-    const Eigen::VectorXd residual = exchange.velocities - x;
     x = acceleration_->next(x.cwiseProduct(scale_), residual.cwiseProduct(scale_)).cwiseQuotient(scale_);
-    forces = exchange.forces;
   }
   result.reason = fmt::format(
-      "the coupling did not converge in {} sub-iterations (change of velocity {:.2g}, of force "
-      "{:.2g}, relative)",
+      "the coupling did not converge in {} sub-iterations (residual of velocity {:.2g}, of force {:.2g}, "
+      "relative)",
       max_iterations_, result.velocity.relative, result.force.relative);
   return result;
 }

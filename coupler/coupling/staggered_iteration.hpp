@@ -27,16 +27,15 @@ struct StepResult {
   bool converged = false;
   std::string reason;                ///< why not
   std::uint32_t sub_iterations = 0;  ///< exchanges, with the one that verified convergence
-  Change velocity, force;            ///< of the last exchange
+  Residual velocity, force;          ///< of the last exchange
 };
 
 class StaggeredIteration {
  public:
   StaggeredIteration(const scene::Coupling& parameters, const RigidDofs& dofs);
 
-  /// Iterates from `guess`. The forces of the first exchange are measured against `forces_before`, those at
-  /// the start of the step: a step whose prediction comes true in motion and force takes a single exchange.
-  StepResult solve(const CoupledMap& map, const Eigen::VectorXd& guess, const Eigen::VectorXd& forces_before);
+  /// Iterates a step of size Δt [s] from `guess`. A guess that comes true takes a single exchange.
+  StepResult solve(const CoupledMap& map, const Eigen::VectorXd& guess, double time_step);
 
   /// The step counts, or does not.
   void accept() { acceleration_->accept(); }

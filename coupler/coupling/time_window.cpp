@@ -59,7 +59,8 @@ bool TimeWindow::halve() {
   if (halvings_ >= max_halvings_) return false;
   ++halvings_;
   successes_ = 0;
-  largest_ = step_ / 2;
+  // Halves of the nominal step only, or repeated regrowth would let the step drift.
+  for (largest_ = nominal_; largest_ > 0.75 * step_;) largest_ /= 2;
   plan(start());
   return true;
 }

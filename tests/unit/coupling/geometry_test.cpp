@@ -1,0 +1,149 @@
+/// The interface mesh, the unknowns and the prescribed motion.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "coupling/interface_mesh.hpp"
+#include "coupling/prescribed_motion.hpp"
+#include "coupling/rigid_dofs.hpp"
+
+namespace fpi::coupling {
+namespace {
+
+scene::Body disc(const std::string& motion = "free") {
+  scene::Body body;
+  body.name = "disc";
+  body.radius = 0.5;
+  body.density = 3;
+  body.position = {1, 2};
+  body.motion = motion;
+  return body;
+}
+
+TEST(Arcs, cover_the_circle_without_gap_or_overlap) {
+  for (const double length : {0.01, 0.3, 1.7, 100.}) {
+    const Arcs arcs = cut_circle({1, 2, 0}, 0.5, length);
+    EXPECT_EQ(arcs.start.front(), 0);
+    EXPECT_EQ(arcs.end.back(), 2 * std::numbers::pi);
+    for (std::size_t a = 1; a < arcs.size(); ++a) EXPECT_EQ(arcs.start[a], arcs.end[a - 1]);
+    for (std::size_t a = 0; a < arcs.size(); ++a) {
+      EXPECT_NEAR(arcs.end[a] - arcs.start[a], 2 * std::numbers::pi / static_cast<double>(arcs.size()),
+                  1e-14);
+    }
+  }
+}
+
+TEST(Arcs, are_about_as_long_as_the_fluid_wants) {
+  for (const double length : {0.01, 0.123, 0.4}) {
+    const double given = std::numbers::pi / static_cast<double>(cut_circle({0, 0, 0}, 0.5, length).size());
+    EXPECT_NEAR(given / length, 1, 0.1);
+  }
+}
+
+TEST(Arcs, are_three_at_least) { EXPECT_EQ(cut_circle({0, 0, 0}, 0.5, 100).size(), 3u); }
+
+TEST(Arcs, a_length_that_makes_no_sense_is_refused) {
+  EXPECT_THROW(cut_circle({0, 0, 0}, 0.5, 0), Error);
+  EXPECT_THROW(cut_circle({0, 0, 0}, 0.5, 1e-12), Error);
+  EXPECT_THROW(cut_circle({0, 0, 0}, 0, 0.1), Error);
+}
+
+TEST(InterfaceVelocities, of_a_spin_are_tangent_and_of_a_translation_uniform) {
+  const Arcs arcs = cut_circle({1, 2, 0}, 0.5, 0.4);
+  RigidMotion motion;
+  motion.velocity = {3, -1, 0};
+  motion.spin = {0, 0, 2};
+  const std::vector<double> u = velocities_on(arcs, motion);
+  ASSERT_EQ(u.size(), 2 * points_per_arc * arcs.size());
+  for (std::size_t p = 0; p < u.size(); p += 2) {
+    EXPECT_NEAR(std::hypot(u[p] - 3, u[p + 1] + 1), 2 * 0.5, 1e-14);
+  }
+}
+
+TEST(InterfaceVelocities, are_those_of_gauss_legendre_points) {
+  // ∫ cos over an arc by the three points has the error of degree 6.
+  const Arcs arcs = cut_circle({0, 0, 0}, 1, 0.5);
+  RigidMotion motion;
+  motion.spin = {0, 0, 1};
+  const std::vector<double> u = velocities_on(arcs, motion);
+  const double half = 0.5 * (arcs.end[0] - arcs.start[0]);
+  const double integral = half * (5 * u[1] + 8 * u[3] + 5 * u[5]) / 9;
+  EXPECT_NEAR(integral, std::sin(arcs.end[0]) - std::sin(arcs.start[0]), 1e-7);
+}
+
+TEST(RigidDofs, velocities_go_out_and_come_back) {
+  const std::vector<scene::Body> bodies{disc(), disc("fixed"), disc()};
+  const RigidDofs dofs(bodies, 0.1);
+  ASSERT_EQ(dofs.size(), 6);
+  Eigen::VectorXd x(6);
+  x << 1, 2, 3, 4, 5, 6;
+  std::vector<RigidMotion> motions(3);
+  dofs.set_velocities(x, motions);
+  EXPECT_EQ(dofs.velocities(motions), x);
+  EXPECT_TRUE(motions[1].velocity.isZero(0));
+}
+
+TEST(RigidDofs, are_scaled_by_mass_and_inertia) {
+  const std::vector<scene::Body> bodies{disc()};
+  const RigidDofs dofs(bodies, 0.1);
+  const double mass = 3 * std::numbers::pi * 0.25 * 0.1;
+  EXPECT_NEAR(dofs.inertia_root()[0], std::sqrt(mass), 1e-15);
+  EXPECT_NEAR(dofs.inertia_root()[2], std::sqrt(0.5 * mass * 0.25), 1e-15);
+}
+
+TEST(RigidDofs, a_free_body_without_mass_is_refused_by_name) {
+  std::vector<scene::Body> bodies{disc()};
+  bodies[0].density = 0;
+  try {
+    RigidDofs(bodies, 1);
+    FAIL() << "it was taken";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("\"disc\""), std::string::npos) << e.what();
+  }
+}
+
+TEST(PrescribedMotion, of_a_fixed_body_is_rest) {
+  const scene::Body body = disc("fixed");
+  const RigidMotion start = initial_motion(body);
+  const RigidMotion moved = PrescribedMotion(body).advanced(start, 0, 5);
+  EXPECT_EQ(moved.position, start.position);
+  EXPECT_TRUE(moved.velocity.isZero(0));
+}
+
+TEST(PrescribedMotion, positions_are_the_integral_of_the_formulas) {
+  scene::Body body = disc("prescribed");
+  body.prescribed_velocity = {"cos(t)", "5*t^4"};
+  body.prescribed_spin = "2";
+  const PrescribedMotion motion(body);
+  RigidMotion now = initial_motion(body);
+  for (int k = 0; k < 20; ++k) now = motion.advanced(now, 0.1 * k, 0.1 * (k + 1));
+  EXPECT_NEAR(now.position.x(), 1 + std::sin(2.), 1e-13);
+  EXPECT_NEAR(now.position.y(), 2 + 32, 1e-12);
+  EXPECT_NEAR(now.velocity.x(), std::cos(2.), 1e-14);
+  EXPECT_NEAR(now.spin.z(), 2, 0);
+  EXPECT_NEAR(
+      now.orientation.angularDistance(Eigen::Quaterniond(Eigen::AngleAxisd(4, Eigen::Vector3d::UnitZ()))), 0,
+      1e-7);
+}
+
+TEST(PrescribedMotion, a_step_of_no_size_only_takes_the_velocities) {
+  scene::Body body = disc("prescribed");
+  body.prescribed_velocity = {"0", "0"};
+  body.prescribed_spin = "3";
+  const RigidMotion moved = PrescribedMotion(body).advanced(initial_motion(body), 0, 0);
+  EXPECT_EQ(moved.position, initial_motion(body).position);
+  EXPECT_EQ(moved.spin.z(), 3);
+}
+
+TEST(TrapezoidalPosition, is_exact_for_constant_acceleration) {
+  RigidMotion before;
+  before.position = {1, 0, 0};
+  before.velocity = {2, 0, 0};
+  EXPECT_NEAR(trapezoidal_position(before, {2 - 9.81 * 0.3, 0, 0}, 0.3).x(), 1 + 2 * 0.3 - 0.5 * 9.81 * 0.09,
+              1e-15);
+}
+
+}  // namespace
+}  // namespace fpi::coupling

@@ -1,0 +1,365 @@
+/// The run loop with participants in this process.
+#include "run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "../temporary_folder.hpp"
+#include "core/error.hpp"
+#include "fakes.hpp"
+#include "json.hpp"
+#include "output/h5_file.hpp"
+
+namespace fpi {
+namespace {
+
+using CoupledRun = fpi::Run;  // testing::Test has a Run of its own
+
+constexpr double gravity = -9.81;
+
+scene::Body disc(const std::string& name, const std::string& motion) {
+  scene::Body body;
+  body.name = name;
+  body.radius = 0.5;
+  body.density = 4 / std::numbers::pi;  // mass 1
+  body.position = {0, 3};
+  body.motion = motion;
+  if (motion == "prescribed") body.prescribed_velocity = {"cos(t)", "0"};
+  return body;
+}
+
+scene::Scene make_scene(const std::vector<scene::Body>& bodies) {
+  scene::Scene scene;
+  scene.gravity = {0, gravity};
+  scene.time.step = 0.1;
+  scene.time.end = 1.2;
+  scene.bodies = bodies;
+  scene.fluid.emplace();
+  scene.fluid->density = 1;
+  scene.fluid->dynamic_viscosity = 1;
+  scene.fluid->mesh.lower = {0, 0};
+  scene.fluid->mesh.upper = {1, 1};
+  scene.fluid->mesh.cells_x = scene.fluid->mesh.cells_y = 1;
+  return scene;
+}
+
+struct RunTest : testing::Test {
+  TemporaryFolder folder;
+  Ledger ledger;
+  FakeFluid fluid;
+  FakeDem dem = new_dem();
+
+  static FakeDem new_dem() {
+    proto::Motion motion;
+    motion.position = {0, 3, 0};
+    return {1, gravity, {motion}};
+  }
+  CoupledRun make_run(const scene::Scene& scene) {
+    return CoupledRun(scene, {scene.fluid ? &fluid : nullptr, scene.needs_dem() ? &dem : nullptr},
+                      folder.path(), 1, ledger);
+  }
+  std::size_t history_lines() {
+    const std::string text = read_text_file(folder / "history.csv");
+    return static_cast<std::size_t>(std::ranges::count(text, '\n')) - 1;
+  }
+};
+
+TEST_F(RunTest, a_falling_body_follows_the_implicit_solution_of_its_equation) {
+  const scene::Scene scene = make_scene({disc("ball", "free")});
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  double v = 0, y = 3;
+  for (int k = 0; k < 12; ++k) {
+    const double before = v;
+    v = ((1 + 3) * v + 0.1 * (0.5 + gravity)) / (1 + 3 + 2 * 0.1);
+    y += 0.05 * (before + v);
+  }
+  const coupling::RigidMotion& motion = run.simulation().state().motions[0];
+  EXPECT_NEAR(motion.velocity.y(), v, 1e-5 * std::abs(v));
+  EXPECT_NEAR(motion.position.y(), y, 1e-5);
+  EXPECT_EQ(run.statistics().steps(), 12u);
+  EXPECT_LE(run.statistics().max_sub_iterations(), 4u);  // the added mass is three times the body's
+}
+
+TEST_F(RunTest, the_geometry_is_frozen_in_a_step_and_only_velocities_change) {
+  const scene::Scene scene = make_scene({disc("ball", "free")});
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  bool velocities_changed = false;
+  for (std::size_t k = 1; k < fluid.asked.size(); ++k) {
+    if (fluid.stamps[k].step != fluid.stamps[k - 1].step) continue;
+    const proto::Interface &now = fluid.asked[k].interfaces[0], &before = fluid.asked[k - 1].interfaces[0];
+    EXPECT_EQ(now.centre, before.centre);
+    EXPECT_EQ(now.start, before.start);
+    EXPECT_EQ(fluid.stamps[k].sub_iteration, fluid.stamps[k - 1].sub_iteration + 1);
+    velocities_changed |= now.translation != before.translation;
+  }
+  EXPECT_TRUE(velocities_changed);
+}
+
+TEST_F(RunTest, the_fluid_sees_the_hydraulic_radius) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.hydraulic_radius_ratio = 0.8;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_DOUBLE_EQ(fluid.asked[0].interfaces[0].radius, 0.4);
+}
+
+TEST_F(RunTest, prescribed_and_fixed_bodies_take_one_exchange_a_step_and_move_by_their_formulas) {
+  const scene::Scene scene = make_scene({disc("stirrer", "prescribed"), disc("post", "fixed")});
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_EQ(fluid.asked.size(), 12u);
+  const auto& last = fluid.asked.back();
+  EXPECT_NEAR(last.interfaces[0].centre[0], std::sin(1.2), 1e-13);
+  EXPECT_NEAR(last.interfaces[0].translation[0], std::cos(1.2), 1e-13);
+  EXPECT_EQ(last.interfaces[1].centre, (proto::Vec3{0, 3, 0}));
+}
+
+TEST_F(RunTest, a_dry_scene_falls_freely_without_loads) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.fluid.reset();
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_EQ(dem.asked.size(), 12u);
+  EXPECT_TRUE(dem.asked[0].loads.empty());
+  EXPECT_NEAR(run.simulation().state().motions[0].position.y(), 3 + 0.5 * gravity * 1.44, 1e-12);
+  EXPECT_FALSE(std::filesystem::exists(folder / "fields.h5"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "interface.h5"));
+}
+
+TEST_F(RunTest, a_scene_without_bodies_is_the_fluid_alone) {
+  const scene::Scene scene = make_scene({});
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_EQ(fluid.asked.size(), 12u);
+  EXPECT_TRUE(fluid.asked[0].interfaces.empty());
+  EXPECT_TRUE(std::filesystem::exists(folder / "fields.h5"));
+}
+
+TEST_F(RunTest, a_steady_scene_is_one_advance_without_a_time_step) {
+  scene::Scene scene = make_scene({disc("post", "fixed")});
+  scene.time = {.steady = true};
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  ASSERT_EQ(fluid.asked.size(), 1u);
+  EXPECT_EQ(fluid.asked[0].time_step, 0);
+  EXPECT_EQ(fluid.accepts, 1u);
+  EXPECT_EQ(history_lines(), 1u);
+}
+
+TEST_F(RunTest, steps_that_do_not_converge_are_restored_and_halved_and_the_end_is_hit) {
+  const scene::Scene scene = make_scene({disc("ball", "free")});
+  fluid.largest_step = 0.03;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_EQ(run.standing().time, 1.2);
+  EXPECT_GT(run.statistics().steps(), 40u);
+  EXPECT_GT(fluid.restores, 1u);
+  EXPECT_EQ(fluid.restores, dem.restores);
+  EXPECT_EQ(fluid.accepts, run.statistics().steps());
+  for (const auto& message : fluid.asked) EXPECT_GT(message.time_step, 0.01);
+}
+
+TEST_F(RunTest, after_all_halvings_the_run_ends_with_the_reason_and_its_results) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.time.max_halvings = 2;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.on_progress = [this](const Standing& s) {
+    if (s.step == 4) fluid.largest_step = 1e-9;
+  };
+  try {
+    run.march();
+    FAIL() << "it went on";
+  } catch (const Error& e) {
+    const std::string text = e.what();
+    EXPECT_NE(text.find("step 5"), std::string::npos) << text;
+    EXPECT_NE(text.find("the step is too large"), std::string::npos) << text;
+  }
+  EXPECT_EQ(fluid.restores, 3u);
+  EXPECT_EQ(history_lines(), 4u);
+  const output::H5File fields = output::H5File::read(folder / "fields.h5");
+  EXPECT_EQ(fields.list("/steps").size(), 2u);  // after the first step, and the last accepted state
+  EXPECT_DOUBLE_EQ(fields.attribute("/steps/000001", "time"), 0.4);
+}
+
+TEST_F(RunTest, fields_are_written_after_the_first_step_at_each_interval_and_at_the_end) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.interval = 0.5;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  for (const char* name : {"fields.h5", "interface.h5"}) {
+    const output::H5File file = output::H5File::read(folder / name);
+    std::vector<double> times;
+    for (const std::string& step : file.list("/steps"))
+      times.push_back(file.attribute("/steps/" + step, "time"));
+    ASSERT_EQ(times.size(), 4u) << name;
+    EXPECT_EQ((std::vector<double>(times.begin() + 1, times.end())), (std::vector<double>{0.5, 1, 1.2}))
+        << name;
+  }
+}
+
+TEST_F(RunTest, without_fields_asked_for_none_are_gathered) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.fields = false;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_FALSE(std::filesystem::exists(folder / "fields.h5"));
+  EXPECT_EQ(history_lines(), 12u);
+}
+
+TEST_F(RunTest, a_fluid_without_fields_still_has_its_tractions_written) {
+  fluid.has_fields = false;
+  const scene::Scene scene = make_scene({disc("ball", "free")});
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_FALSE(std::filesystem::exists(folder / "fields.h5"));
+  EXPECT_EQ(output::H5File::read(folder / "interface.h5").list("/steps").size(), 2u);
+}
+
+TEST_F(RunTest, resumed_at_its_checkpoint_a_run_ends_in_the_same_bits) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.interval = 0.3;
+  scene.output.checkpoint_every = 5;
+  fluid.largest_step = 0.06;  // with halved and regrown steps on both sides of the checkpoint
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const std::string history = read_text_file(folder / "history.csv");
+  const std::string xdmf = read_text_file(folder / "fields.xdmf");
+  const std::vector<double> position = output::H5File::read(folder / "bodies.h5").doubles("/position");
+
+  FakeFluid new_fluid;
+  new_fluid.largest_step = fluid.largest_step;
+  FakeDem other_dem = new_dem();
+  CoupledRun again(scene, {&new_fluid, &other_dem}, folder.path(), 2, ledger);
+  again.resume({});
+  EXPECT_LT(history_lines(), run.statistics().steps());
+  again.march();
+  EXPECT_LT(new_fluid.accepts, fluid.accepts);
+  EXPECT_EQ(read_text_file(folder / "history.csv"), history);
+  EXPECT_EQ(read_text_file(folder / "fields.xdmf"), xdmf);
+  EXPECT_EQ(output::H5File::read(folder / "bodies.h5").doubles("/position"), position);
+  EXPECT_EQ(again.statistics().steps(), run.statistics().steps());
+  EXPECT_EQ(again.statistics().mean_sub_iterations(), run.statistics().mean_sub_iterations());
+}
+
+TEST_F(RunTest, a_checkpoint_of_another_scene_is_refused) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.checkpoint_every = 5;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  scene::Scene other = scene;
+  other.fluid->density = 2;
+  CoupledRun resumed = make_run(other);
+  EXPECT_THROW(resumed.resume({}), Error);
+}
+
+TEST_F(RunTest, without_a_checkpoint_resuming_says_what_to_do) {
+  const scene::Scene scene = make_scene({disc("ball", "free")});
+  CoupledRun run = make_run(scene);
+  try {
+    run.resume({});
+    FAIL() << "it resumed";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("output.checkpoint_every"), std::string::npos) << e.what();
+  }
+}
+
+TEST_F(RunTest, an_answer_that_does_not_fit_is_an_error_that_says_so) {
+  const scene::Scene scene = make_scene({disc("ball", "free")});
+  fluid.missing_tractions = 1;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  EXPECT_THROW(run.march(), Error);
+}
+
+TEST_F(RunTest, an_arc_length_that_is_not_positive_is_an_error) {
+  const scene::Scene scene = make_scene({disc("ball", "free")});
+  fluid.arc_length = 0;
+  CoupledRun run = make_run(scene);
+  EXPECT_THROW(run.start({}), Error);
+}
+
+TEST_F(RunTest, drag_lift_and_probes_are_reported_of_boundaries_and_bodies) {
+  scene::Scene scene = make_scene({disc("post", "fixed")});
+  scene.thickness = 0.5;
+  scene.coefficients = scene::Coefficients{.on = "left", .velocity = 2, .length = 0.25};
+  scene.probes = {{.name = "p", .point = {0, 0}, .minus = {}}};
+  const auto lift = [&] {
+    CoupledRun run = make_run(scene);
+    run.start({});
+    run.march();
+    EXPECT_EQ(run.last_reported().probes, std::vector{static_cast<double>(fluid.accepts)});
+    return run.last_reported().coefficients->lift;
+  };
+  EXPECT_DOUBLE_EQ(lift(), 2 * 6 / (1 * 4 * 0.25 * 0.5));
+  scene.coefficients->on = "post";
+  EXPECT_DOUBLE_EQ(lift(), 2 * 0.5 / (1 * 4 * 0.25 * 0.5));
+}
+
+TEST_F(RunTest, a_probe_that_the_fluid_does_not_report_is_an_error_that_names_it) {
+  scene::Scene scene = make_scene({});
+  scene.probes = {{.name = "q", .point = {0, 0}, .minus = {}}};
+  CoupledRun run = make_run(scene);
+  run.start({});
+  try {
+    run.march();
+    FAIL() << "it went on";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("\"q\""), std::string::npos) << e.what();
+  }
+}
+
+TEST(Statistics, means_leave_out_the_first_five_steps) {
+  Statistics statistics;
+  for (const std::uint32_t n : {10u, 10u, 10u, 10u, 10u}) statistics.add_step(n, 0);
+  EXPECT_EQ(statistics.mean_sub_iterations(), 10);
+  statistics.add_step(2, 0);
+  statistics.add_step(3, 0);
+  EXPECT_EQ(statistics.mean_sub_iterations(), 2.5);
+  EXPECT_EQ(statistics.max_sub_iterations(), 10u);
+}
+
+TEST(Plan, names_the_participants_that_the_scene_needs) {
+  scene::Scene scene = make_scene({disc("post", "fixed")});
+  scene.fluid->launch.command = "toy";
+  EXPECT_EQ(make_plan(scene).participants.size(), 1u);
+  scene.bodies[0].motion = "free";
+  scene.dem.emplace();
+  scene.dem->launch.external = true;
+  const Plan plan = make_plan(scene);
+  ASSERT_EQ(plan.participants.size(), 2u);
+  EXPECT_EQ(plan.participants[0].command, "toy");
+  EXPECT_EQ(plan.participants[1].role, "dem");
+  EXPECT_TRUE(plan.participants[1].external);
+  scene.fluid.reset();
+  EXPECT_EQ(make_plan(scene).participants.size(), 1u);
+}
+
+TEST(Json, a_summary_says_null_for_a_lost_participant_and_zero_for_one_not_needed) {
+  Summary summary;
+  summary.figures["fluid"] = {};
+  const std::string text = to_json(summary);
+  EXPECT_NE(text.find("\"fluid_server\": null"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"dem_server\": 0"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"status\": \"failed\""), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace fpi

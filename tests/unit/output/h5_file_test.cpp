@@ -1,0 +1,100 @@
+/// HDF5 files, written and read back.
+#include "output/h5_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "../temporary_folder.hpp"
+#include "core/error.hpp"
+
+namespace fpi::output {
+namespace {
+
+struct H5FileTest : testing::Test {
+  TemporaryFolder folder;
+  std::string path = folder / "file.h5";
+};
+
+TEST_F(H5FileTest, arrays_come_back_to_the_bit_with_their_shape) {
+  const std::vector<double> values{0.1, -2, 3e300, 5e-324, 0, 7};
+  const std::vector<std::uint32_t> indices{0, 4294967295u};
+  const std::vector<std::uint8_t> bytes{0, 1, 255};
+  {
+    H5File file = H5File::create(path);
+    file.write("/a/b/values", values, {3, 2});
+    file.write("/indices", indices, {2});
+    file.write("/bytes", bytes);
+    file.write("/none", std::vector<double>{}, {0});
+  }
+  const H5File file = H5File::read(path);
+  EXPECT_EQ(file.doubles("/a/b/values"), values);
+  EXPECT_EQ(file.shape("/a/b/values"), (Shape{3, 2}));
+  EXPECT_EQ(file.indices("/indices"), indices);
+  EXPECT_EQ(file.bytes("/bytes"), bytes);
+  EXPECT_TRUE(file.doubles("/none").empty());
+}
+
+TEST_F(H5FileTest, texts_come_back) {
+  const std::vector<std::string> texts{"disc", "Körper ρ", ""};
+  H5File::create(path).write("/texts", texts);
+  EXPECT_EQ(H5File::read(path).texts("/texts"), texts);
+}
+
+TEST_F(H5FileTest, rows_are_added_and_cut_off) {
+  H5File file = H5File::create(path);
+  for (double k = 0; k < 5; ++k) {
+    file.append("/time", std::vector{k}, {});
+    file.append("/position", std::vector{k, -k}, {1, 2});
+  }
+  EXPECT_EQ(file.shape("/position"), (Shape{5, 1, 2}));
+  file.keep_rows("/position", 2);
+  EXPECT_EQ(file.doubles("/position"), (std::vector<double>{0, 0, 1, -1}));
+  EXPECT_EQ(file.doubles("/time"), (std::vector<double>{0, 1, 2, 3, 4}));
+}
+
+TEST_F(H5FileTest, groups_are_marked_listed_and_removed) {
+  H5File file = H5File::create(path);
+  file.make_group("/steps/000000", "time", 0.25);
+  file.make_group("/steps/000001", "time", 0.5);
+  EXPECT_EQ(file.list("/steps"), (std::vector<std::string>{"000000", "000001"}));
+  EXPECT_EQ(file.attribute("/steps/000001", "time"), 0.5);
+  file.remove("/steps/000001");
+  EXPECT_FALSE(file.has("/steps/000001"));
+  EXPECT_TRUE(file.has("/steps/000000"));
+  EXPECT_FALSE(file.has("/nothing/there"));
+}
+
+TEST_F(H5FileTest, what_was_flushed_is_readable_though_the_file_was_never_closed) {
+  H5File file = H5File::create(path);
+  file.write("/values", std::vector<double>{1, 2, 3}, {3});
+  file.flush();
+  const std::string crashed = folder / "crashed.h5";
+  std::filesystem::copy_file(path, crashed);
+  EXPECT_EQ(H5File::read(crashed).doubles("/values"), (std::vector<double>{1, 2, 3}));
+}
+
+TEST_F(H5FileTest, a_damaged_file_is_refused_with_its_name) {
+  std::ofstream(path) << "this is not HDF5";
+  try {
+    H5File::read(path);
+    FAIL() << "it was taken";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find(path), std::string::npos) << e.what();
+  }
+}
+
+TEST_F(H5FileTest, a_shape_that_does_not_fit_is_refused) {
+  H5File file = H5File::create(path);
+  EXPECT_THROW(file.write("/values", std::vector<double>{1, 2, 3}, {2, 2}), Error);
+  EXPECT_THROW(file.append("/rows", std::vector<double>{1, 2, 3}, {2}), Error);
+}
+
+TEST_F(H5FileTest, a_missing_array_or_folder_is_an_error) {
+  EXPECT_THROW(H5File::create(folder / "nowhere/file.h5"), Error);
+  EXPECT_THROW(H5File::create(path).doubles("/values"), Error);
+}
+
+}  // namespace
+}  // namespace fpi::output
