@@ -63,7 +63,7 @@ inline Problem on_floor(const scene::Material& m, scene::Body b) {
 /// 25 discs of several sizes over the floor of a box 0.2 m wide, some spinning: more than are listed pair by
 /// pair.
 inline Problem box_of_discs() {
-  Problem problem = on_floor(material(1e7, 0.3, 0.5, 0.4, 0.1), {});
+  Problem problem = on_floor(material(2e6, 0.3, 0.5, 0.4, 0.1), {});
   problem.thickness = 0.02;
   problem.bodies.clear();
   problem.walls.push_back(wall("left", {0, 0}, {1, 0}));

@@ -57,21 +57,23 @@ TEST(Solver, a_resumed_run_goes_on_bitwise_as_the_one_that_went_on) {
 
 TEST(Solver, a_box_of_discs_loses_energy_and_comes_to_rest) {
   Solver solver(box_of_discs());
-  double last = test::energy(solver), deepest = 0;
-  for (int i = 0; i < 30; ++i) {
+  const double start = test::energy(solver);
+  double last = start, deepest = 0;
+  for (int i = 0; i < 15; ++i) {
     for (int k = 0; k < 20; ++k) deepest = std::max(deepest, step(solver, dt).largest_overlap);
-    EXPECT_LE(test::energy(solver), last + 1e-9 * std::abs(last));
+    EXPECT_LE(test::energy(solver), last + 1e-4 * start);  // what the contacts store is not in the sum
     last = test::energy(solver);
   }
+  EXPECT_LT(last, 0.5 * start);
+  EXPECT_GT(deepest, 0);
   for (std::size_t i = 0; i < 25; ++i) {
     EXPECT_LT(solver.motions().velocity[i].norm(), 1e-4) << i;
     EXPECT_GT(solver.motions().position[i].y(), 0) << i;
   }
-  EXPECT_GT(deepest, 0);
 }
 
 TEST(Solver, grains_at_rest_are_not_searched_for_again) {
-  Solver solver = settled_for(600);
+  Solver solver = settled_for(300);
   for (int i = 0; i < 20; ++i) EXPECT_EQ(step(solver, dt).searches, 0u);
 }
 
