@@ -1,0 +1,131 @@
+/// The DEM as a participant: in process, and as the program that a host talks to.
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include "core/error.hpp"
+#include "dem_service.hpp"
+#include "proto/host.hpp"
+
+namespace fpi::dem {
+namespace {
+
+const std::string scene = R"(
+gravity = [0, -9.81]
+[time]
+step = 1e-3
+end = 1
+[[bodies]]
+name = "a"
+radius = 0.01
+density = 2500
+position = [0, 0.5]
+[[bodies]]
+name = "post"
+radius = 0.01
+motion = "fixed"
+position = [1, 0.5]
+[[materials]]
+name = "stone"
+youngs_modulus = 1e8
+[[walls]]
+name = "floor"
+point = [0, 0]
+normal = [0, 1]
+)";
+
+proto::DemAdvance fall(double time_step) {
+  return {.time = time_step,
+          .time_step = time_step,
+          .loads = {},
+          .prescribed = {{.body = 1, .position = {1, 0.5, 0}}}};
+}
+
+TEST(DemService, moves_the_bodies_of_the_scene_it_is_sent) {
+  DemService service;
+  EXPECT_EQ(service.configure({.scene = scene}).figures.at(0).second, 2);
+  const proto::DemAdvanced moved = service.advance({}, fall(0.1));
+  ASSERT_TRUE(moved.converged);
+  ASSERT_EQ(moved.motions.size(), 2u);
+  EXPECT_NEAR(moved.motions[0].position[1], 0.5 - 0.5 * 9.81 * 0.01, 1e-15);
+  EXPECT_EQ(moved.motions[1].position, (proto::Vec3{1, 0.5, 0}));
+  EXPECT_EQ(moved.motions[0].orientation, (std::array<double, 4>{1, 0, 0, 0}));
+  EXPECT_EQ(moved.sub_steps, 1u);
+}
+
+TEST(DemService, restores_and_resumes_bitwise) {
+  DemService service, resumed;
+  service.configure({.scene = scene});
+  service.advance({}, fall(0.1));
+  service.accept();
+  const proto::Bytes state = service.checkpoint().bytes;
+  const proto::DemAdvanced first = service.advance({}, fall(0.3));
+  service.restore();
+  resumed.configure({.scene = scene, .state = state});
+  for (DemService* other : {&service, &resumed}) {
+    const proto::DemAdvanced again = other->advance({}, fall(0.3));
+    EXPECT_EQ(again.motions[0].position, first.motions[0].position);
+    EXPECT_EQ(again.motions[0].velocity, first.motions[0].velocity);
+  }
+}
+
+TEST(DemService, reports_its_time_and_counts) {
+  DemService service;
+  service.configure({.scene = scene});
+  service.advance({}, fall(0.1));
+  const proto::Figures figures = service.report();
+  ASSERT_EQ(figures.size(), 3u);
+  EXPECT_EQ(figures[0].first, "dem");
+  EXPECT_GT(figures[0].second, 0);
+}
+
+TEST(DemService, refuses_what_it_cannot_do) {
+  DemService service;
+  EXPECT_THROW(service.advance({}, fall(0.1)), Error);
+  EXPECT_THROW(service.configure({.scene = "[[bodies]]\nname = 3"}), Error);
+  EXPECT_THROW(
+      service.configure({.scene = scene + "[[bodies]]\nname = \"a\"\nradius = 1\nposition = [9, 9]"}), Error);
+  EXPECT_THROW(service.configure({.scene = scene, .state = {1, 2, 3}}), Error);
+}
+
+/// dem_server, started with `address`.
+class Process {
+ public:
+  explicit Process(const std::string& address) {
+    std::string program = DEM_SERVER, connect = "--connect", where = address;
+    char* arguments[] = {program.data(), connect.data(), where.data(), nullptr};
+    if (posix_spawn(&id_, DEM_SERVER, nullptr, nullptr, arguments, environ) != 0)
+      fail("cannot start {}", DEM_SERVER);
+  }
+  int exit_status() {
+    int status = -1;
+    waitpid(id_, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  pid_t id_ = 0;
+};
+
+TEST(DemServer, serves_a_host_until_goodbye) {
+  proto::HostOptions options;
+  options.run = 7;
+  proto::Host host(options);
+  Process process(host.address());
+  const std::vector<proto::Hello> hellos = host.admit({"dem"}, {false});
+  EXPECT_EQ(hellos.at(0).capabilities, std::vector<std::string>{"checkpoint"});
+  const auto ask = [&]<class Answer>(proto::Message message) {
+    return host.ask<Answer>("dem", {.run = 7, .step = 1, .sub_iteration = 0}, std::move(message));
+  };
+  ask.operator()<proto::Configured>(proto::Configure{.scene = scene});
+  const auto moved = ask.operator()<proto::DemAdvanced>(fall(0.1));
+  EXPECT_NEAR(moved.motions.at(0).velocity[1], -0.981, 1e-15);
+  ask.operator()<proto::Accepted>(proto::Accept{});
+  EXPECT_FALSE(ask.operator()<proto::State>(proto::Checkpoint{}).bytes.empty());
+  const auto figures = host.dismiss("done");
+  EXPECT_EQ(figures.at(0).first, "dem");
+  EXPECT_EQ(process.exit_status(), 0);
+}
+
+}  // namespace
+}  // namespace fpi::dem
