@@ -1,0 +1,143 @@
+#!/usr/bin/python3
+"""Three real processes: the coupler, a fluid and dem_server. `coupled_test.py NAME` runs one test, as CTest does."""
+
+import math
+import shutil
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from harness import CoupledRun, interrupt, run_coupler, toy_scene
+
+FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
+KEYS = {"status", "reason", "steps", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
+        "wall_seconds", "peak_memory_bytes", "bodies", "coefficients", "probes"}
+SECONDS = {"total", "mesh", "assembly", "factor", "solve", "interface", "dem", "coupling", "output"}
+
+
+class Coupled(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="fpi_coupled_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def run_toy(self, **scene):
+        """A whole run of the toy fluid; returns it after its end."""
+        with CoupledRun(self.folder, toy_scene(**scene)) as run:
+            self.assertEqual(run.wait(), 0, run.log())
+        return run
+
+    def test_three_processes_run_to_the_end(self):
+        run = self.run_toy()
+        self.assertEqual({role: process.returncode for role, process in run.participants.items()},
+                         {"fluid": 0, "dem": 0})
+        self.assertLessEqual(FILES, {path.name for path in run.out.iterdir()})
+        summary = run.summary
+        self.assertEqual(set(summary), KEYS)
+        self.assertEqual(set(summary["wall_seconds"]), SECONDS)
+        self.assertEqual(summary["status"], "completed")
+        self.assertEqual(summary["reason"], "")
+        self.assertEqual(summary["steps"], 20)
+        for program in ("coupler", "fluid_server", "dem_server"):
+            self.assertGreater(summary["peak_memory_bytes"][program], 1e6)
+        self.assertEqual(run.history[-1]["time"], 0.1)
+
+    def test_a_disc_sinks_at_the_speed_where_drag_carries_its_weight(self):
+        history = self.run_toy(end=0.2).history
+        ratio = 5  # of the toy's cylinder to the disc
+        drag = 4 * math.pi * 10 / (math.log(ratio) - (ratio**2 - 1) / (ratio**2 + 1))
+        speed = 100 * math.pi * 0.01**2 * 9.81 / drag
+        self.assertAlmostEqual(history[-1]["disc.vy"], -speed, delta=1e-5 * speed)
+        self.assertAlmostEqual(history[-1]["disc.fy"], 1100 * math.pi * 0.01**2 * 9.81, delta=1e-3)
+        self.assertLess(max(row["sub_iterations"] for row in history), 6)
+
+    def test_a_killed_participant_ends_the_run_with_its_name(self):
+        for told in (False, True):
+            with self.subTest(told=told), CoupledRun(self.folder, toy_scene(step=1e-5, timeout=1)) as run:
+                run.wait_for_step(20)
+                run.participants["fluid"].kill()
+                if told:
+                    run.tell_exit("fluid")
+                start = time.monotonic()
+                self.assertEqual(run.wait(), 1)
+                self.assertLess(time.monotonic() - start, 8)
+                summary = run.summary
+                self.assertEqual(summary["status"], "failed")
+                self.assertIn("fluid", summary["reason"])
+                if told:
+                    self.assertRegex(summary["reason"], "-9|SIGKILL|signal 9")
+                self.assertEqual(run.participants["dem"].returncode, 0)
+                self.assertEqual(len(run.history), summary["steps"])
+                self.assertIsNone(summary["peak_memory_bytes"]["fluid_server"])
+
+    def test_a_stopped_run_says_where_it_stands_and_keeps_its_results(self):
+        with CoupledRun(self.folder, toy_scene(step=1e-5)) as run:
+            run.wait_for_step(20)
+            interrupt(run.coupler)
+            self.assertEqual(run.wait(), 1)
+            summary = run.summary
+        self.assertEqual(summary["status"], "failed")
+        self.assertRegex(summary["reason"], r"stopped by the user.*step \d+.*t = ")
+        self.assertEqual(len(run.history), summary["steps"])
+        self.assertEqual({p.returncode for p in run.participants.values()}, {0})
+
+    def test_three_folders_with_keys(self):
+        keys = self.folder / "keys"
+        self.assertEqual(run_coupler("--make-keys", keys).returncode, 0)
+        folders = {}
+        for role in ("fluid", "dem"):
+            folders[role] = self.folder / role
+            (folders[role] / "keys").mkdir(parents=True)
+            for name in ("participant.secret", "participant.public", "coupler.public"):
+                shutil.copy(keys / name, folders[role] / "keys" / name)
+        with CoupledRun(self.folder, toy_scene(), extra=["--keys", keys], participant_options=["--keys", "keys"],
+                        participant_folders=folders) as run:
+            self.assertEqual(run.wait(), 0, run.log())
+        self.assertEqual(run.summary["status"], "completed")
+        for role, folder in folders.items():
+            self.assertEqual({path.name for path in folder.iterdir()}, {"keys", f"{role}.log"})
+
+    def test_an_open_address_without_keys_is_refused(self):
+        with CoupledRun(self.folder, toy_scene(), extra=["--listen", "tcp://0.0.0.0:*"]) as run:
+            self.assertEqual(run.wait(), 1)
+            self.assertIn("keys", run.summary["reason"])
+
+    def test_a_run_resumed_at_its_checkpoint_has_the_same_history(self):
+        run = self.run_toy(checkpoint_every=6)
+        history = (run.out / "history.csv").read_bytes()
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+        self.assertIn("resumed after step 18", resumed.log())
+        self.assertEqual((run.out / "history.csv").read_bytes(), history)
+        self.assertEqual(resumed.summary["steps"], 20)
+
+    def test_a_killed_coupler_can_be_resumed_to_the_same_history(self):
+        scene = toy_scene(step=1e-4, checkpoint_every=50)
+        (self.folder / "whole").mkdir()
+        with CoupledRun(self.folder / "whole", scene) as whole:
+            self.assertEqual(whole.wait(), 0, whole.log())
+        with CoupledRun(self.folder, scene) as run:
+            run.wait_for(lambda: (run.out / "checkpoint.h5").exists())
+            run.coupler.kill()
+            run.wait()
+            self.assertEqual(run.summary["status"], "failed")
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+        self.assertEqual((run.out / "history.csv").read_bytes(), (whole.out / "history.csv").read_bytes())
+
+    def test_a_scene_that_cannot_be_read_still_has_a_summary(self):
+        scene = toy_scene().replace("viscosity", "viskosity")
+        (self.folder / "scene.toml").write_text(scene)
+        done = run_coupler("--scene", self.folder / "scene.toml", "--out", self.folder / "run")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("dynamic_viscosity", (self.folder / "run/summary.json").read_text())
+        self.assertNotEqual(run_coupler("--check", self.folder / "scene.toml").returncode, 0)
+
+    def test_wrong_options_are_refused_with_status_two(self):
+        for options in ([], ["--scene", "x"], ["--resume"], ["--nonsense"], ["--resume", "--out", "x", "--set", "a=1"]):
+            self.assertEqual(run_coupler(*options).returncode, 2, options)
+        self.assertEqual(run_coupler("--version").returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

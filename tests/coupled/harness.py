@@ -1,0 +1,127 @@
+"""Runs the coupler and its participants as separate processes, for the tests beside this file."""
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+BIN = Path(os.environ["FPI_BIN"])
+PATIENCE = 60  # s until a run that does not end counts as hanging
+
+TOY_SCENE = """
+title = "a disc sinks in a very viscous fluid"
+gravity = [0.0, -9.81]
+[time]
+step = {step}
+end = {end}
+[coupling]
+participant_timeout = {timeout}
+[output]
+interval = {interval}
+checkpoint_every = {checkpoint_every}
+[fluid]
+density = 1000.0
+dynamic_viscosity = 10.0
+command = "{command}"
+mesh = {{lower = [0.0, 0.0], upper = [0.1, 0.4], cells_x = 10, cells_y = 40}}
+boundaries = {{left.type = "slip", right.type = "slip", bottom.type = "slip", top.type = "slip"}}
+[[bodies]]
+name = "disc"
+radius = 0.01
+density = 1100.0
+position = [0.05, 0.3]
+"""
+
+
+def toy_scene(step=0.005, end=0.1, timeout=5, interval=0.05, checkpoint_every=0):
+    return TOY_SCENE.format(step=step, end=end, timeout=timeout, interval=interval, checkpoint_every=checkpoint_every,
+                            command=BIN / "toy_stokes_fluid")
+
+
+class CoupledRun:
+    """A coupler and the participants that its plan asks for, each a process in a folder of its own."""
+
+    def __init__(self, folder, scene, extra=(), resume=False, participant_options=(), participant_folders=None):
+        self.folder = Path(folder)
+        self.out = self.folder / "run"
+        self.participants = {}
+        scene_file = self.out / "scene.toml" if resume else self.folder / "scene.toml"
+        if not resume:
+            scene_file.write_text(scene)
+        plan = json.loads(run_coupler("--plan", scene_file).stdout)
+        command = [BIN / "coupler", "--out", self.out, "--watch-stdin", *extra]
+        command += ["--resume"] if resume else ["--scene", scene_file]
+        self.coupler = start(command, self.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        address = self.coupler.stdout.readline().split()
+        if address[:1] != ["address"]:
+            return
+        for participant in plan["participants"]:
+            role = participant["role"]
+            program = participant["command"] or {"fluid": BIN / "fluid_server", "dem": BIN / "dem_server"}[role]
+            folder = (participant_folders or {}).get(role, self.folder)
+            self.participants[role] = start(
+                [program, "--connect", address[1], "--scene", plan["scene_fingerprint"], "--log", f"{role}.log",
+                 *participant_options], folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        for process in [self.coupler, *self.participants.values()]:
+            if process.poll() is None:
+                process.kill()
+            process.communicate()
+
+    def wait(self):
+        """Waits for all to end; returns the coupler's exit status. Its standard input stays open: the launcher lives."""
+        self.coupler.stdout.read()
+        self.coupler.wait(timeout=PATIENCE)
+        for process in self.participants.values():
+            process.wait(timeout=PATIENCE)
+        return self.coupler.returncode
+
+    def wait_for(self, condition):
+        deadline = time.monotonic() + PATIENCE
+        while not condition():
+            assert time.monotonic() < deadline and self.coupler.poll() is None, "what the test waits for never came"
+            time.sleep(0.01)
+
+    def wait_for_step(self, step):
+        """Reads progress up to a step."""
+        for line in self.coupler.stdout:
+            if line.startswith("progress") and json.loads(line.removeprefix("progress"))["step"] >= step:
+                return
+        raise AssertionError(f"the run ended before step {step}")
+
+    def tell_exit(self, role):
+        """Does what the launcher does when a process of its own ends."""
+        self.coupler.stdin.write(f"exited {role} {self.participants[role].wait(timeout=PATIENCE)}\n")
+        self.coupler.stdin.flush()
+
+    @property
+    def summary(self):
+        return json.loads((self.out / "summary.json").read_text())
+
+    @property
+    def history(self):
+        with (self.out / "history.csv").open() as file:
+            return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+    def log(self):
+        return (self.out / "coupler.log").read_text()
+
+
+def start(command, folder, **streams):
+    return subprocess.Popen([str(word) for word in command], cwd=folder, text=True, stderr=subprocess.DEVNULL, **streams)
+
+
+def run_coupler(*options):
+    return subprocess.run([str(word) for word in (BIN / "coupler", *options)], capture_output=True, text=True,
+                          check=False, timeout=PATIENCE)
+
+
+def interrupt(process):
+    process.send_signal(signal.SIGINT)
