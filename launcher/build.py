@@ -60,7 +60,7 @@ def stream(command: list[str], log: Path, title: str, quiet: bool) -> tuple[int,
                                    errors="replace")
     except FileNotFoundError as error:
         raise Refusal(f"{title} needs the program {command[0]}: {error}; run `./fpi build`, which installs it") from error
-    with process, log.open("a") as file:
+    with process, log.open("a", buffering=1) as file:
         for line in process.stdout:
             lines.append(line.rstrip("\n"))
             file.write(line)

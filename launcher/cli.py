@@ -143,12 +143,13 @@ def do_test(arguments) -> int:
 def do_demo(_arguments) -> int:
     packages.ensure()
     build.build()
-    status = main(["run", "settling_disc"])
+    scene = scenes.find("settling_disc")
+    folder = str(run.new_folder(None, scene))
+    status = main(["run", str(scene), "--out", folder])
     if status != 0:
         return status
-    latest = max(Path("runs").glob("settling_disc*"), key=lambda path: path.stat().st_mtime)
     print("\n  pictures:")
-    return main(["plot", str(latest)])
+    return main(["plot", folder])
 
 
 def do_bench(_arguments) -> int:

@@ -65,8 +65,8 @@ def visible(fields: results.Fields, snapshot: results.Snapshot) -> Triangulation
 
 
 def limits(values: list[np.ndarray]) -> tuple[float, float]:
-    """Range of colours: all but the extreme half per cent (corner singularities), symmetric where signs mix."""
-    low, high = np.percentile(np.concatenate(values), [0.5, 99.5])
+    """Range of colours: all but the extreme thousandths (corner singularities), symmetric where signs mix."""
+    low, high = np.percentile(np.concatenate(values), [0.1, 99.9])
     if low < 0 < high:
         low, high = -max(-low, high), max(-low, high)
     return (low, high) if high > low else (low - 1, high + 1)
@@ -168,7 +168,7 @@ def curves(history: dict[str, np.ndarray]):
     panels = [("force on the bodies [N]", forces[:12], False)] if forces else []
     panels += [("coefficients" if name in ("drag", "lift") else name, [name], False) for name in others]
     panels += [("iterations a step", ["sub_iterations", "newton_iterations"], False),
-               ("relative change at the end of a step", ["residual_velocity", "residual_force"], True)]
+               ("relative change", ["residual_velocity", "residual_force"], True)]
     figure, axes = plt.subplots(len(panels), 1, figsize=(8, 2.3 * len(panels)), sharex=True, squeeze=False)
     for axis, (label, names, logarithmic) in zip(axes.flat, panels):
         for name in names:

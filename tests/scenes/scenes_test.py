@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+"""The scenes of configs/, run as a user runs them, against the values that each of them cites."""
+
+import csv
+import json
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+DRAG, LIFT, PRESSURE = 5.57953523384, 0.010618948146, 0.11752016697  # Schäfer & Turek, case 2D-1
+
+
+class Scenes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.run_folder = Path(folder.name) / "run"
+
+    def run_scene(self, name: str, *overrides: str) -> dict:
+        """Runs a scene to its end; returns its summary."""
+        sets = [word for override in overrides for word in ("--set", override)]
+        command = [str(ROOT / "fpi"), "run", name, "--out", str(self.run_folder), "--json", *sets]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return json.loads(done.stdout)
+
+    def history(self) -> dict[str, list[float]]:
+        with (self.run_folder / "history.csv").open(newline="") as file:
+            header, *rows = csv.reader(file)
+        return {name: [float(row[i]) for row in rows] for i, name in enumerate(header)}
+
+    def assert_near(self, value: float, expected: float, relative: float):
+        self.assertLessEqual(abs(value - expected), relative * abs(expected), f"{value} against {expected}")
+
+    def test_cavity(self):
+        probes = self.run_scene("cavity")["probes"]
+        self.assert_near(probes["centre_u"], -0.20519, 1e-4)
+        self.assert_near(probes["centre_v"], 6.37e-4, 5e-3)
+
+    def test_cylinder_steady(self):
+        summary = self.run_scene("cylinder_steady")
+        self.assert_near(summary["coefficients"]["drag"], DRAG, 1e-3)
+        self.assertLess(abs(summary["coefficients"]["lift"] - LIFT), 4e-4)
+        self.assert_near(summary["probes"]["pressure_difference"], PRESSURE, 1.5e-2)
+        self.assertFalse((self.run_folder / "dem_server.log").exists(), "nothing moves: no dem_server")
+
+    def test_cylinder_fitted(self):
+        summary = self.run_scene("cylinder_fitted")
+        self.assert_near(summary["coefficients"]["drag"], DRAG, 1e-3)
+        self.assertLess(abs(summary["coefficients"]["lift"] - LIFT), 4e-4)
+        self.assert_near(summary["probes"]["pressure_difference"], PRESSURE, 5e-3)
+
+    def test_dry_grains(self):
+        bodies = {body["name"]: body for body in self.run_scene("dry_grains")["bodies"]}
+        self.assertFalse((self.run_folder / "fluid_server.log").exists(), "dry: no fluid_server")
+        for body in bodies.values():
+            self.assertLess(max(map(abs, body["velocity"])), 1e-6, body["name"])
+        overlap = {name: 0.01 - bodies[name]["position"][1] for name in ("a", "b", "e")}
+        resting = [gap for gap in overlap.values() if gap > 0]
+        self.assertTrue(resting, "at least one of the discs of radius 0.01 m lies on the floor")
+        self.assertLess(max(resting), 0.01 * 0.01)
+
+    def test_settling_disc_starts(self):
+        """A coarse mesh and the first twenty steps: straight down, slower than added mass alone would let it fall."""
+        summary = self.run_scene("settling_disc", "fluid.mesh.cell_size=6.25e-4", "time.end=0.03")
+        disc = summary["bodies"][0]
+        inviscid = 9.81 * (1250 - 1000) / (1250 + 1000) * 0.03
+        self.assertLess(-inviscid, disc["velocity"][1])
+        self.assertLess(disc["velocity"][1], -0.4 * inviscid)
+        self.assertLess(abs(disc["position"][0] - 0.01), 1e-6)
+
+    def test_settling_disc(self):
+        """The whole fall: plateau speed, heights of references, rest on the floor."""
+        self.run_scene("settling_disc")
+        history, d, u = self.history(), 0.0025, 0.09814
+        time, height = history["time"], history["disc.y"]
+        self.assert_near(max(-v for v in history["disc.vy"]), 0.0559, 0.03)
+        for after, expected in ((5, 14.52), (10, 11.94), (20, 6.32)):
+            step = next(i for i, t in enumerate(time) if t >= after * d / u)
+            weight = (after * d / u - time[step - 1]) / (time[step] - time[step - 1])
+            y = height[step - 1] + weight * (height[step] - height[step - 1])
+            self.assertLess(abs(y / d - expected), 0.02 * 24, f"at t u_ref/d = {after}")
+        self.assertGreater(min(height), d / 2 - 0.01 * d)
+        self.assertLess(abs(history["disc.vy"][-1]), 1e-3 * 0.0559, "at rest")
+
+
+if __name__ == "__main__":
+    unittest.main()
