@@ -161,9 +161,11 @@ class Run:
                     self.tell(role, NOT_STARTED)
 
     def environment(self) -> dict[str, str]:
+        """Threads of the dense kernels: one unless asked otherwise, as more only get in the way of small fronts."""
+        names = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")
         if self.request.threads is None:
-            return {}
-        return {name: str(self.request.threads) for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")}
+            return {name: "1" for name in names if name not in os.environ}
+        return {name: str(self.request.threads) for name in names}
 
     def output_path(self, role: str) -> Path:
         """Where a program's words outside its log go: a crash, a sanitizer's report."""

@@ -108,6 +108,13 @@ class Parts(unittest.TestCase):
         self.assertEqual(run.reachable("tcp://0.0.0.0:5555"), "tcp://127.0.0.1:5555")
         self.assertEqual(run.reachable("tcp://10.0.0.5:5555"), "tcp://10.0.0.5:5555")
 
+    def test_programs_get_one_thread_unless_the_user_says_otherwise(self):
+        one = run.Run(run.Request(Path("a.toml"), Path("r")), {}, None)
+        three = run.Run(run.Request(Path("a.toml"), Path("r"), threads=3), {}, None)
+        with mock.patch.dict(run.os.environ, {"OMP_NUM_THREADS": "2"}, clear=True):
+            self.assertEqual(one.environment(), {"OPENBLAS_NUM_THREADS": "1"})
+            self.assertEqual(three.environment(), {"OMP_NUM_THREADS": "3", "OPENBLAS_NUM_THREADS": "3"})
+
     def test_an_exit_is_described_by_status_or_signal(self):
         self.assertEqual(processes.describe(3), "status 3")
         self.assertEqual(processes.describe(-9), "signal 9 (SIGKILL)")
