@@ -72,14 +72,16 @@ struct Connection {
 };
 
 /// Takes part in one run. Returns the exit status: 0 after a goodbye, 1 after an error of this participant, 2
-/// where the coupler refused or could not be reached, 3 where it vanished. Every case is logged with a
-/// sentence.
+/// where the coupler refused or could not be reached, 3 where it vanished; each is logged with a sentence. A
+/// solver that still works 2 s after the run is over is ended with its process. Signals keep their default
+/// meaning; the launcher starts participants with SIGINT ignored, since Ctrl-C reaches all and the coupler
+/// ends them in order.
 int serve(FluidParticipant&, const Connection&);
 int serve(DemParticipant&, const Connection&);
 
-/// The command line every participant shares: --connect ADDRESS [--keys DIR] [--log FILE] [--scene
-/// FINGERPRINT]
-/// [--version]. Opens the log. Exits by itself on --help, --version and bad options (status 2).
+/// The command line every participant shares:
+///   --connect ADDRESS [--keys DIR] [--log FILE] [--scene FINGERPRINT] [--version]
+/// Opens the log. Exits by itself on --help, --version and bad options (status 2).
 Connection read_command_line(int argc, char** argv, const std::string& program,
                              const std::vector<std::string>& capabilities);
 

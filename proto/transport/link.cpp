@@ -38,7 +38,11 @@ Link::Link(const Connection& connection, const std::string& role, const Progress
   wire_.set(zmq::sockopt::heartbeat_timeout, silence);
   wire_.set(zmq::sockopt::ipv6, connection.address.find('[') != std::string::npos);
   if (!connection.keys.empty()) secure_participant(wire_, connection.keys);
-  wire_.connect(connection.address);
+  try {
+    wire_.connect(connection.address);
+  } catch (const zmq::error_t& e) {
+    fail("the address of a coupler is required; got {} ({})", connection.address, e.what());
+  }
   thread_ = std::thread([this] { run(); });
 }
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <thread>
 
+#include "../temporary_folder.hpp"
 #include "parties.hpp"
 #include "samples.hpp"
 
@@ -55,23 +56,30 @@ struct FluidRun {
   std::future<int> status;
 };
 
-/// A program of its own, so that it can be killed: it stays in phase "factor" of its first advance for ever.
-class Child {
+/// stuck_peer as a process of its own.
+class StuckPeer {
  public:
-  explicit Child(const std::string& address) : pid_(fork()) {
+  StuckPeer(const char* side, const std::string& address) : pid_(fork()) {
     if (pid_ != 0) return;
-    Fluid fluid;
-    fluid.on_advance = [&](auto&, auto&) -> FluidAdvanced {
-      fluid.progress.set("factor");
-      for (;;) pause();
-    };
-    _exit(serve(fluid, connection_to(address)));
+    execl(STUCK_PEER, "stuck_peer", side, address.c_str(), nullptr);
+    _exit(127);
   }
-  ~Child() {
+  ~StuckPeer() {
     kill(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
   }
   void signal(int number) const { kill(pid_, number); }
+  /// The exit status, once it has ended by itself within `limit` seconds; -1 where it has not.
+  int exit_status(double limit) const {
+    for (const auto start = Clock::now(); seconds(start) < limit;
+         std::this_thread::sleep_for(milliseconds(20))) {
+      siginfo_t info{};
+      if (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+          info.si_pid == pid_)
+        return info.si_code == CLD_EXITED ? info.si_status : -1;
+    }
+    return -1;
+  }
 
  private:
   pid_t pid_;
@@ -176,7 +184,7 @@ TEST(Life, requests_out_of_order_are_refused) {
 
 TEST(Life, a_killed_participant_ends_the_run_with_its_name_and_phase) {
   Host host(options());
-  Child child(host.address());
+  StuckPeer child("fluid", host.address());
   host.admit({"fluid"}, {false});
   host.ask<Configured>("fluid", {}, Configure{});
   std::thread killer([&] {
@@ -199,7 +207,7 @@ TEST(Life, a_killed_participant_ends_the_run_with_its_name_and_phase) {
 
 TEST(Life, a_participant_that_stands_still_is_noticed) {
   Host host(options());
-  Child child(host.address());
+  StuckPeer child("fluid", host.address());
   host.admit({"fluid"}, {false});
   host.ask<Configured>("fluid", {}, Configure{});
   child.signal(SIGSTOP);
@@ -295,16 +303,24 @@ TEST(Life, a_participant_ends_when_its_coupler_vanishes) {
   EXPECT_EQ(status.get(), 3);
 }
 
+TEST(Life, a_participant_ends_when_its_coupler_stands_still) {
+  const TemporaryFolder folder;
+  const std::string address = "ipc://" + folder / "wire";
+  const StuckPeer coupler("coupler", address);
+  Fluid fluid;
+  Connection connection = connection_to(address);
+  connection.silence_timeout = 0.5;
+  auto status = serve_in_thread(fluid, connection);
+  EXPECT_EQ(status.wait_for(milliseconds(1500)), std::future_status::timeout)
+      << "the coupler lives, but is silent";
+  coupler.signal(SIGSTOP);
+  ASSERT_EQ(status.wait_for(std::chrono::seconds(5)), std::future_status::ready);
+  EXPECT_EQ(status.get(), 3);
+}
+
 TEST(Life, a_solver_that_never_returns_ends_with_the_run) {
   Host host(options());
-  const pid_t child = fork();
-  if (child == 0) {
-    Fluid fluid;
-    fluid.on_advance = [](auto&, auto&) -> FluidAdvanced {
-      for (;;) pause();
-    };
-    _exit(serve(fluid, connection_to(host.address())));
-  }
+  const StuckPeer fluid("fluid", host.address());
   host.admit({"fluid"}, {false});
   host.ask<Configured>("fluid", {}, Configure{});
   host.while_waiting = [start = Clock::now()] {
@@ -312,10 +328,7 @@ TEST(Life, a_solver_that_never_returns_ends_with_the_run) {
   };
   EXPECT_THROW(host.ask<FluidAdvanced>("fluid", {77, 1, 0}, FluidAdvance{}), Interrupted);
   host.dismiss("interrupted");
-  int status = -1;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(fluid.exit_status(3), 0);
 }
 
 TEST(Life, a_hostile_client_disturbs_nobody) {
