@@ -1,6 +1,7 @@
 #include "dem/forces.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fpi::dem {
 namespace {
@@ -89,6 +90,14 @@ void add_friction(const Model& model, const Contact& contact, const PairLaw& law
   }
 }
 
+/// The gap [m] that no pair closes within half a sub-step: damping acts from the half in which the surfaces
+/// meet.
+double half_step_approach(const std::vector<Vec3>& velocity, double sub_step) {
+  double fastest_squared = 0;
+  for (const Vec3& v : velocity) fastest_squared = std::max(fastest_squared, v.squaredNorm());
+  return sub_step * std::sqrt(fastest_squared);
+}
+
 double smaller_radius(const Bodies& bodies, const Pair& pair) {
   const double R = bodies.radius[pair.a];
   return pair.b < bodies.size() ? std::min(R, bodies.radius[pair.b]) : R;
@@ -115,18 +124,18 @@ Normal normal_state(const Model& model, const Pair& pair, const Separation& gap,
 ContactCount add_contacts(const Model& model, const std::vector<Vec3>& position, const Velocities& velocities,
                           double stretch_time, double sub_step, Neighbours& neighbours, Forces& forces) {
   ContactCount count;
+  const double reach = half_step_approach(velocities.now, sub_step);
   for (std::size_t p = 0; p < neighbours.pairs.size(); ++p) {
     const Pair& pair = neighbours.pairs[p];
-    const Separation gap = separation(model, position, pair);
-    const Normal state = normal_state(model, pair, gap, velocities.now);
     Memory& memory = neighbours.memories[p];
-    // Damping acts from the half of a sub-step in which the surfaces meet.
-    if (state.overlap + 0.5 * sub_step * std::abs(state.rate) <= 0) {
-      memory = Memory{};
+    const Separation gap = separation(model, position, pair);
+    if (gap.gap > reach) {
+      if (!memory.empty()) memory = Memory{};
       continue;
     }
     const Contact contact(model, pair, gap);
     const PairLaw& law = law_of(model, pair);
+    const Normal state = normal_state(model, pair, gap, velocities.now);
     const double N = normal_force(law, state, sub_step);
     contact.press(-N * gap.normal, forces);
     if (state.overlap > 0) {
