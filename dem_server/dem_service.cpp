@@ -95,8 +95,8 @@ void DemService::restore() { solver().restore(); }
 proto::State DemService::checkpoint() { return {solver().checkpoint()}; }
 
 proto::Figures DemService::report() {
-  proto::Figures figures(ledger_.seconds.begin(), ledger_.seconds.end());
-  figures.insert(figures.end(), ledger_.counts.begin(), ledger_.counts.end());
+  proto::Figures figures(ledger_.counts.begin(), ledger_.counts.end());
+  for (const auto& [name, seconds] : ledger_.seconds) figures.emplace_back("seconds:" + name, seconds);
   return figures;
 }
 
