@@ -13,42 +13,41 @@ namespace {
 constexpr int deepest_nesting = 64;  // toml11 recurses; a hostile file must not exhaust the stack
 constexpr const char* override_prefix = "--set ";
 
+/// Index of the last character of the string literal that opens at `begin`; a single-line one ends with its
+/// line.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  const bool multi_line = text.substr(begin, 3) == std::string(3, quote);
+  const std::string delimiter(multi_line ? 3 : 1, quote);
+  for (std::size_t i = begin + delimiter.size(); i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"') {
+      ++i;
+    } else if (text.substr(i).starts_with(delimiter)) {
+      return i + delimiter.size() - 1;
+    } else if (text[i] == '\n' && !multi_line) {
+      return i - 1;
+    }
+  }
+  return text.size();
+}
+
 /// Refuses brackets and dotted keys nested deeper than any scene needs; strings and comments do not count.
 void check_nesting(const std::string& text, const std::string& name) {
-  int depth = 0, dots = 0, line = 1;
-  std::string_view quote;  // the delimiter of the string that we are in
-  bool comment = false;
+  int depth = 0, dots = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    const std::string_view rest = std::string_view(text).substr(i);
-    if (c == '\n') {
-      ++line;
-      comment = false;
-      if (quote.size() == 1) quote = {};
-    }
-    if (comment) continue;
-    if (!quote.empty()) {
-      if (c == '\\' && quote[0] == '"') {
-        ++i;
-      } else if (rest.starts_with(quote)) {
-        i += quote.size() - 1;
-        quote = {};
-      }
-      continue;
-    }
-    if (c == '"' || c == '\'') {
-      quote = rest.substr(0, rest.size() >= 3 && rest[1] == c && rest[2] == c ? 3 : 1);
-      i += quote.size() - 1;
-    }
-    if (c == '#') comment = true;
+    if (c == '"' || c == '\'') i = end_of_string(text, i);
+    if (c == '#') i = std::min(text.find('\n', i), text.size()) - 1;
     if (c == '[' || c == '{') ++depth;
     if (c == ']' || c == '}') --depth;
     if (c == '.') ++dots;
     if (c == '\n' || c == '=' || c == ',' || c == '{') dots = 0;
-    require(depth <= deepest_nesting && dots <= deepest_nesting,
-            "{}:{}: at most {} levels of nested brackets or dotted keys are allowed; got more: close the "
-            "brackets",
-            name, line, deepest_nesting);
+    if (depth <= deepest_nesting && dots <= deepest_nesting) continue;
+    fail(
+        "{}:{}: at most {} levels of nested brackets or dotted keys are allowed; got more: close the "
+        "brackets",
+        name, 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(i), '\n'),
+        deepest_nesting);
   }
 }
 

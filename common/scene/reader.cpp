@@ -1,3 +1,5 @@
+/// From a document to a scene. Each declared parameter looks up its value beside it in the document; what the
+/// document has and nothing declares is an unknown key.
 #include <fmt/ranges.h>
 
 #include <algorithm>

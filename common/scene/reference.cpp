@@ -1,3 +1,5 @@
+/// From the declarations to a Markdown table of all keys. docs/scene_reference.md is this text; a test
+/// compares them.
 #include <fmt/format.h>
 
 #include "scene/scene.hpp"

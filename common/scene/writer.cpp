@@ -1,3 +1,5 @@
+/// From a scene to canonical TOML, every default filled in. The text of two scenes is equal where they mean
+/// the same, which is what the fingerprint rests on.
 #include <fmt/format.h>
 
 #include "scene/scene.hpp"
