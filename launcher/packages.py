@@ -15,6 +15,7 @@ BUILD = {
     "libsuitesparse-dev": "UMFPACK, the sparse direct solver",
     "libopenblas-dev": "the dense kernels under UMFPACK",
     "libzmq3-dev": "messages between the programs",
+    "cppzmq-dev": "the same in C++",
     "libflatbuffers-dev": "encoding of the messages",
     "flatbuffers-compiler": "compiles the message schema",
     "libhdf5-dev": "results on disk",
