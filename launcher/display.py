@@ -43,11 +43,10 @@ class Rich(Display):
     """A bar that fills with the time of the run."""
 
     def __init__(self):
-        from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
-        from rich.progress import TimeRemainingColumn
+        from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
-        self.bar = Progress(TaskProgressColumn(), BarColumn(), TimeElapsedColumn(), TextColumn("left"),
-                            TimeRemainingColumn(), TextColumn("{task.description}", markup=False), transient=True)
+        self.bar = Progress(TaskProgressColumn(), BarColumn(bar_width=16), TimeRemainingColumn(compact=True),
+                            TextColumn("{task.description}", markup=False), transient=True)
         self.task = self.bar.add_task("starting", total=1.0)
         self.bar.start()
 
