@@ -1,59 +1,32 @@
 #include "dem/state.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
-#include <type_traits>
 
-#include "core/error.hpp"
+#include "core/bytes.hpp"
 
 namespace fpi::dem {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "the state is written as the machine has it");
 
 constexpr std::uint64_t magic = 0x31534d4544495046;  // "FPIDEMS1"
 constexpr std::size_t body_size = 13 * sizeof(double);
 constexpr std::size_t pair_size = 2 * sizeof(std::uint32_t) + 6 * sizeof(double);
 
-class Writer {
+class Writer : public ByteWriter {
  public:
-  template <class T>
-  requires std::is_arithmetic_v<T>
-  void operator()(const T& value) {
-    const auto* first = reinterpret_cast<const std::uint8_t*>(&value);
-    bytes.insert(bytes.end(), first, first + sizeof(T));
+  using ByteWriter::put;
+  void put(const Vec3& v) { put(std::span<const double>(v.data(), 3)); }
+  void put(const Quaternion& q) {
+    for (const double value : {q.w(), q.x(), q.y(), q.z()}) put(value);
   }
-  void operator()(const Vec3& v) {
-    for (int d = 0; d < 3; ++d) (*this)(v[d]);
-  }
-  void operator()(const Quaternion& q) {
-    for (const double value : {q.w(), q.x(), q.y(), q.z()}) (*this)(value);
-  }
-  std::vector<std::uint8_t> bytes;
 };
 
-class Reader {
+class Reader : public ByteReader {
  public:
-  explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-  template <class T>
-  T get() {
-    require(bytes_.size() >= sizeof(T), "the DEM's state ends too early: take another checkpoint");
-    T value;
-    std::memcpy(&value, bytes_.data(), sizeof(T));
-    bytes_ = bytes_.subspan(sizeof(T));
-    return value;
-  }
-  double number() {
-    const double value = get<double>();
-    require(std::isfinite(value), "the DEM's state must have finite numbers; got {}: take another checkpoint",
-            value);
-    return value;
-  }
+  explicit Reader(std::span<const std::uint8_t> bytes) : ByteReader(bytes, "the DEM's state") {}
   Vec3 vector() {
-    const double x = number(), y = number(), z = number();
-    return {x, y, z};
+    Vec3 v;
+    numbers({v.data(), 3});
+    return v;
   }
   Quaternion quaternion() {
     const double w = number(), x = number(), y = number(), z = number();
@@ -62,10 +35,6 @@ class Reader {
             q.norm());
     return q;
   }
-  std::size_t left() const { return bytes_.size(); }
-
- private:
-  std::span<const std::uint8_t> bytes_;
 };
 
 void check_plane(const Model& model, const Motions& motions) {
@@ -93,20 +62,20 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   const Motions& motions = state.motions;
   const std::size_t n = motions.position.size(), n_pairs = state.neighbours.pairs.size();
   write.bytes.reserve(3 * sizeof(std::uint64_t) + n * body_size + n_pairs * pair_size);
-  write(magic);
-  write(std::uint64_t{n});
-  write(std::uint64_t{n_pairs});
+  write.put(magic);
+  write.put(std::uint64_t{n});
+  write.put(std::uint64_t{n_pairs});
   for (std::size_t i = 0; i < n; ++i) {
-    write(motions.position[i]);
-    write(motions.orientation[i].base);
-    write(motions.velocity[i]);
-    write(motions.spin[i]);
+    write.put(motions.position[i]);
+    write.put(motions.orientation[i].base);
+    write.put(motions.velocity[i]);
+    write.put(motions.spin[i]);
   }
   for (std::size_t p = 0; p < n_pairs; ++p) {
-    write(state.neighbours.pairs[p].a);
-    write(state.neighbours.pairs[p].b);
-    write(state.neighbours.memories[p].slip);
-    write(state.neighbours.memories[p].roll);
+    write.put(state.neighbours.pairs[p].a);
+    write.put(state.neighbours.pairs[p].b);
+    write.put(state.neighbours.memories[p].slip);
+    write.put(state.neighbours.memories[p].roll);
   }
   return std::move(write.bytes);
 }
