@@ -52,6 +52,10 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder, const s
   if (kept(2) > 0) fields_.emplace(folder, kept(2));
 }
 
+void Recorder::flush() {
+  if (bodies_) bodies_->flush();
+}
+
 std::vector<double> Recorder::sizes() const {
   return {static_cast<double>(history_.size()), interface_ ? static_cast<double>(interface_->size()) : 0,
           fields_ ? static_cast<double>(fields_->size()) : 0};

@@ -29,6 +29,8 @@ class Recorder {
   void record_fields(double time, const proto::Fields& fields);
 
   bool wants_mesh() const { return !fields_ || !fields_->has_mesh(); }
+  /// Brings everything into the files.
+  void flush();
   /// How far each file has grown, for a checkpoint.
   std::vector<double> sizes() const;
 

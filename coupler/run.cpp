@@ -116,6 +116,7 @@ void Run::save_checkpoint() {
   if (participants_.fluid) states["fluid"] = participants_.fluid->checkpoint().bytes;
   if (participants_.dem) states["dem"] = participants_.dem->checkpoint().bytes;
   const ScopedTimer timer(ledger_, "output");
+  recorder_->flush();
   write_checkpoint(folder_,
                    {.simulation = simulation_.numbers(),
                     .time_window = window_.state(),

@@ -39,8 +39,14 @@ void BodyWriter::append(double time, std::span<const BodyRow> bodies) {
       values.insert(values.end(), (body.*member).begin(), (body.*member).end());
     file_.append(name, values, {bodies.size(), 3});
   }
-  file_.flush();
   ++rows_;
+  // A flush costs more than the row, so that fast runs share one among many.
+  if (std::chrono::steady_clock::now() - flushed_ > std::chrono::seconds(1)) flush();
+}
+
+void BodyWriter::flush() {
+  file_.flush();
+  flushed_ = std::chrono::steady_clock::now();
 }
 
 }  // namespace fpi::output

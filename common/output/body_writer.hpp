@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,12 +28,16 @@ class BodyWriter {
   /// Continues the file in `folder` after its first `kept` rows.
   BodyWriter(const std::string& folder, std::size_t kept);
 
+  /// Adds a row; all rows older than a second are in the file, whatever happens to this process.
   void append(double time, std::span<const BodyRow> bodies);
+  /// Brings all rows into the file.
+  void flush();
   std::size_t size() const { return rows_; }
 
  private:
   H5File file_;
   std::size_t rows_ = 0;
+  std::chrono::steady_clock::time_point flushed_{};
 };
 
 }  // namespace fpi::output

@@ -150,7 +150,7 @@ void H5File::append(const std::string& name, std::span<const double> row, const 
     checked(made, "create", name);
   }
   const std::size_t rows = shape(name)[0];
-  keep_rows(name, rows + 1);
+  resize(name, rows + 1);
   const Handle set(checked(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), "open", name), H5Dclose);
   const Handle in_file(H5Dget_space(set), H5Sclose);
   std::vector<hsize_t> start(size.size(), 0);
@@ -165,8 +165,15 @@ void H5File::append(const std::string& name, std::span<const double> row, const 
 }
 
 void H5File::keep_rows(const std::string& name, std::size_t rows) {
-  const Shape now = shape(name);
-  std::vector<hsize_t> size = to_hsize(now);
+  const std::size_t present = shape(name).at(0);
+  require(present >= rows,
+          "{} rows are required in {} of {}; got {}: the file does not belong to the checkpoint", rows, name,
+          path_, present);
+  resize(name, rows);
+}
+
+void H5File::resize(const std::string& name, std::size_t rows) {
+  std::vector<hsize_t> size = to_hsize(shape(name));
   size[0] = rows;
   const Handle set(checked(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), "open", name), H5Dclose);
   checked(H5Dset_extent(set, size.data()), "resize", name);

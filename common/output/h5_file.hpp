@@ -34,7 +34,7 @@ class H5File {
   /// Adds one row to an array that grows along its first index; the first call makes it.
   /// `row_shape` is the shape of a row: {} for a number.
   void append(const std::string& name, std::span<const double> row, const Shape& row_shape);
-  /// Keeps the first `rows` rows of such an array.
+  /// Keeps the first `rows` rows of such an array, which must have as many.
   void keep_rows(const std::string& name, std::size_t rows);
 
   /// Makes a group and marks it with a number.
@@ -55,6 +55,7 @@ class H5File {
 
  private:
   H5File(std::string path, std::int64_t id) : path_(std::move(path)), id_(id) {}
+  void resize(const std::string& name, std::size_t rows);
   [[noreturn]] void failed(const char* what, const std::string& name) const;
   std::int64_t checked(std::int64_t status, const char* what, const std::string& name) const;
   void write_array(const std::string& name, std::int64_t type, const void* values, std::size_t count,

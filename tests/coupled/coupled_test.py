@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from harness import CoupledRun, interrupt, run_coupler, toy_scene
+from harness import SETTLING_SCENE, CoupledRun, interrupt, run_coupler, toy_scene
 
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
 KEYS = {"status", "reason", "steps", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
@@ -124,6 +124,23 @@ class Coupled(unittest.TestCase):
         with CoupledRun(self.folder, None, resume=True) as resumed:
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertEqual((run.out / "history.csv").read_bytes(), (whole.out / "history.csv").read_bytes())
+
+    def test_a_disc_settles_through_fluid_server_and_resumes_to_the_same_bits(self):
+        with CoupledRun(self.folder, SETTLING_SCENE) as run:
+            self.assertEqual(run.wait(), 0, run.log())
+        summary = run.summary
+        self.assertEqual(summary["steps"], 12)
+        self.assertLessEqual(summary["sub_iterations"]["mean"], 4.5)  # the plain iteration diverges here
+        for count in ("newton_iterations", "factorisations", "solves", "unknowns"):
+            self.assertGreater(summary[count], 0, count)
+        speeds = [-row["disc.vy"] for row in run.history]
+        self.assertEqual(speeds, sorted(speeds))
+        self.assertTrue({"fields.h5", "fields.xdmf"} <= {path.name for path in run.out.iterdir()})
+        whole = (run.out / "history.csv").read_bytes()
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+        self.assertIn("resumed after step 10", resumed.log())
+        self.assertEqual((run.out / "history.csv").read_bytes(), whole)
 
     def test_a_scene_that_cannot_be_read_still_has_a_summary(self):
         scene = toy_scene().replace("viscosity", "viskosity")

@@ -41,6 +41,28 @@ def toy_scene(step=0.005, end=0.1, timeout=5, interval=0.05, checkpoint_every=0)
                             command=BIN / "toy_stokes_fluid")
 
 
+SETTLING_SCENE = """
+title = "a disc settles in a small box, on a coarse mesh"
+gravity = [0.0, -9.81]
+[time]
+step = 2e-3
+end = 0.024
+[output]
+interval = 0.01
+checkpoint_every = 5
+[fluid]
+density = 1000.0
+kinematic_viscosity = 1e-5
+mesh = {lower = [0.0, 0.0], upper = [0.01, 0.02], cells_x = 16, cells_y = 32}
+boundaries = {left.type = "no_slip", right.type = "no_slip", bottom.type = "no_slip", top.type = "no_slip"}
+[[bodies]]
+name = "disc"
+radius = 1.25e-3
+density = 1250.0
+position = [0.005, 0.015]
+"""
+
+
 class CoupledRun:
     """A coupler and the participants that its plan asks for, each a process in a folder of its own."""
 

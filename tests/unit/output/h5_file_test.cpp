@@ -52,6 +52,7 @@ TEST_F(H5FileTest, rows_are_added_and_cut_off) {
   file.keep_rows("/position", 2);
   EXPECT_EQ(file.doubles("/position"), (std::vector<double>{0, 0, 1, -1}));
   EXPECT_EQ(file.doubles("/time"), (std::vector<double>{0, 1, 2, 3, 4}));
+  EXPECT_THROW(file.keep_rows("/time", 6), Error);
 }
 
 TEST_F(H5FileTest, groups_are_marked_listed_and_removed) {
