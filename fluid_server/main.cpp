@@ -1,7 +1,9 @@
 /// fluid_server: solves the flow of one run for a coupler.
+#include "blas_kernel.hpp"
 #include "fluid_service.hpp"
 
 int main(int argc, char** argv) {
+  fpi::fluid::choose_blas_kernel(argv);
   const fpi::proto::Connection connection =
       fpi::proto::read_command_line(argc, argv, "fluid_server", {"checkpoint", "fields"});
   fpi::fluid::FluidService service;
