@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
 namespace fpi::fluid {
@@ -14,7 +15,9 @@ void choose_blas_kernel(char** argv) {
   if (!core_name || std::getenv("OPENBLAS_CORETYPE") || !__builtin_cpu_supports("avx2")) return;
   if (std::string_view(core_name()) != "Prescott") return;
   setenv("OPENBLAS_CORETYPE", "Haswell", 1);
-  execv("/proc/self/exe", argv);  // where this fails, the slow kernels serve too
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) execv(program.c_str(), argv);  // where this fails, the slow kernels serve too
 }
 
 }  // namespace fpi::fluid
