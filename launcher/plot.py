@@ -73,10 +73,8 @@ def limits(values: list[np.ndarray]) -> tuple[float, float]:
 
 
 def snapshots(fields: results.Fields, bodies: results.Bodies | None, quantity, label: str, colours: str):
-    """One quantity at up to four times, side by side in a tall domain and stacked in a wide one."""
-    chosen = np.unique(np.linspace(0, len(fields) - 1, MOST_SNAPSHOTS).round().astype(int))
-    if fields.time(chosen[0]) == 0 and len(chosen) > 2:
-        chosen = chosen[1:]  # everything is at rest there
+    """One quantity at up to four times (not the start, if there are more), side by side in a tall domain and stacked in a wide one."""
+    chosen = np.unique(np.linspace(0, len(fields) - 1, MOST_SNAPSHOTS + 1).round().astype(int))[-MOST_SNAPSHOTS:]
     shots = [fields.snapshot(index) for index in chosen]
     values = [quantity(shot) for shot in shots]
     shown = [value[np.unique(fields.triangles[np.repeat(shot.active, 4)])] for value, shot in zip(values, shots)]
