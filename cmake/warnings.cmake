@@ -4,7 +4,7 @@ add_library(fpi::options ALIAS fpi_options)
 target_compile_options(fpi_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
   -Woverloaded-virtual -Werror
   # g++ 12 reports these falsely inside fmt's and Eigen's inlined headers.
-  -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized -Wno-uninitialized)
+  -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized -Wno-uninitialized)
 if(FPI_NATIVE)
   target_compile_options(fpi_options INTERFACE -march=native)
 endif()

@@ -14,11 +14,11 @@ struct DragLift {
 };
 
 struct Reported {
-  std::vector<double> probes;            ///< in the order of the scene
+  std::vector<double> probes;            ///< in the order of the scene; NaN where the fluid has no value
   std::optional<DragLift> coefficients;  ///< where the scene asks for them
 };
 
-/// Of the last accepted step. Throws Error for what the fluid did not report.
+/// Of the last accepted step. Throws Error for a boundary force that the fluid did not report.
 Reported reported(const scene::Scene& scene, const Simulation& simulation);
 
 }  // namespace fpi

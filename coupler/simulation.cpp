@@ -201,14 +201,9 @@ void Simulation::restore() {
   iteration_.reject();
 }
 
-double Simulation::figure(const std::string& name) const {
+std::optional<double> Simulation::figure(const std::string& name) const {
   const auto found = figures_.find(name);
-  require(found != figures_.end(),
-          "the fluid must report \"{}\" with every accepted step; it did not: remove the probe or "
-          "coefficient from the "
-          "scene, or use a fluid that offers it",
-          name);
-  return found->second;
+  return found == figures_.end() ? std::nullopt : std::optional(found->second);
 }
 
 NumbersByName Simulation::numbers() const {

@@ -64,9 +64,9 @@ class Simulation {
 
   std::uint64_t steps() const { return steps_; }  ///< accepted so far
   const CoupledState& state() const { return accepted_; }
-  /// Probes and boundary forces that the fluid reported with the last accepted step. Throws Error for a name
-  /// that it did not report.
-  double figure(const std::string& name) const;
+  /// What the fluid reported with the last accepted step: probes and boundary forces. Nothing where it did
+  /// not, as for a probe that a body covers for a while.
+  std::optional<double> figure(const std::string& name) const;
 
   /// All that the following steps depend on, participants apart.
   NumbersByName numbers() const;

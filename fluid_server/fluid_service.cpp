@@ -140,7 +140,8 @@ proto::Fields FluidService::write(const proto::Write& message) {
     for (Index c = 0; c < mesh.n_cells(); ++c)
       for (Index node : mesh.cell_nodes(c)) out.cells.push_back(static_cast<std::uint32_t>(node));
   }
-  proto::Field velocity{.name = "velocity", .components = 2, .values = {state.u.begin(), state.u.end()}};
+  const Vector u = solver().velocity_with_bodies();
+  proto::Field velocity{.name = "velocity", .components = 2, .values = {u.begin(), u.end()}};
   proto::Field pressure{.name = "pressure", .values = {state.p.begin(), state.p.end()}};
   for (const auto& [a, b] : mesh.edges) pressure.values.push_back(0.5 * (state.p[a] + state.p[b]));
   proto::Field active{.name = "active", .on_cells = true};

@@ -139,6 +139,11 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
   return out;
 }
 
+/// Velocity of the body at a node that it covers.
+Vec2 NavierStokes::body_velocity(const System& system, const CoveredNode& covered) const {
+  return system.interfaces()[covered.interface].rigid(space_.mesh.node_position(covered.node));
+}
+
 void NavierStokes::accept() {
   require(last_.has_value(), "accept must follow an advance");
   const Fields& fields = current_.fields;
@@ -151,8 +156,7 @@ void NavierStokes::accept() {
   // What bodies cover moves with them, so that a node they uncover has a history.
   for (const CoveredNode& covered : system_->cut().covered) {
     if (system_->numbering().node_is_active[covered.node]) continue;
-    const RigidVelocity& rigid = system_->interfaces()[covered.interface].rigid;
-    accepted_.u.segment<2>(2 * covered.node) = rigid(space_.mesh.node_position(covered.node));
+    accepted_.u.segment<2>(2 * covered.node) = body_velocity(*system_, covered);
     accepted_.acceleration.segment<2>(2 * covered.node).setZero();
   }
   accepted_factor_ = current_.factor;
@@ -188,6 +192,14 @@ std::vector<bool> NavierStokes::active_cells() const {
   if (accepted_system_)
     for (Index c = 0; c < space_.mesh.n_cells(); ++c) active[c] = accepted_system_->cut().is_active(c);
   return active;
+}
+
+Vector NavierStokes::velocity_with_bodies() const {
+  Vector u = accepted_.u;
+  if (accepted_system_)
+    for (const CoveredNode& covered : accepted_system_->cut().covered)
+      u.segment<2>(2 * covered.node) = body_velocity(*accepted_system_, covered);
+  return u;
 }
 
 std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {

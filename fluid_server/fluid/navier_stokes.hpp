@@ -63,6 +63,9 @@ class NavierStokes {
   double arc_length(const Disc& disc) const;
   /// Cells of the accepted state that are in the fluid, wholly or in part.
   std::vector<bool> active_cells() const;
+  /// Velocity of each node of the accepted state for pictures [m/s]: inside a body it is the body's, where
+  /// the solution itself only has what cut elements extend.
+  Vector velocity_with_bodies() const;
   Index n_unknowns() const { return system_ ? system_->numbering().n_equations : 0; }
   bool has(const Vec2& x) const { return space_.locator.find(x) >= 0; }
   /// Velocity [m/s] and pressure [Pa] of the accepted state; nothing inside a body or outside the mesh.
@@ -79,6 +82,7 @@ class NavierStokes {
   void find_initial_acceleration(const Request& request);
   NewtonResult solve_step(const Request& request);
   std::vector<BodyTraction> tractions() const;
+  Vec2 body_velocity(const System& system, const CoveredNode& covered) const;
   void measure_boundaries();
 
   Settings settings_;
