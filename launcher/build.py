@@ -1,5 +1,6 @@
 """Configuring, building and testing: CMake and CTest with one line of progress, and their words on failure."""
 
+import fcntl
 import os
 import re
 import subprocess
@@ -16,11 +17,13 @@ def build(preset: str = "release", jobs: int | None = None, quiet: bool = False)
     folder = ROOT / "build" / preset
     folder.mkdir(parents=True, exist_ok=True)
     log = folder / "build.log"
-    log.write_text("")
-    if not (folder / "build.ninja").exists():
-        follow(["cmake", "--preset", preset], log, f"configuring {preset}", quiet)
-    cores = str(jobs or os.cpu_count() or 1)
-    follow(["cmake", "--build", "--preset", preset, "--parallel", cores], log, f"building {preset}", quiet)
+    with (folder / "fpi.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # a second ./fpi waits for the first, then finds the work done
+        log.write_text("")
+        if not (folder / "build.ninja").exists():
+            follow(["cmake", "--preset", preset], log, f"configuring {preset}", quiet)
+        cores = str(jobs or os.cpu_count() or 1)
+        follow(["cmake", "--build", "--preset", preset, "--parallel", cores], log, f"building {preset}", quiet)
 
 
 def test(preset: str, everything: bool, jobs: int | None = None, quiet: bool = False) -> int:
