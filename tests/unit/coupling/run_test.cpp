@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -313,16 +315,25 @@ TEST_F(RunTest, drag_lift_and_probes_are_reported_of_boundaries_and_bodies) {
   EXPECT_DOUBLE_EQ(lift(), 2 * 0.5 / (1 * 4 * 0.25 * 0.5));
 }
 
-TEST_F(RunTest, a_probe_that_the_fluid_does_not_report_is_an_error_that_names_it) {
+TEST_F(RunTest, a_probe_without_a_value_is_written_as_nan_and_the_run_goes_on) {
   scene::Scene scene = make_scene({});
   scene.probes = {{.name = "q", .point = {0, 0}, .minus = {}}};
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_TRUE(std::isnan(run.reported().probes.at(0)));
+}
+
+TEST_F(RunTest, a_boundary_force_that_the_fluid_does_not_report_is_an_error_that_names_it) {
+  scene::Scene scene = make_scene({});
+  scene.coefficients = {.on = "wall", .velocity = 1, .length = 1};
   CoupledRun run = make_run(scene);
   run.start({});
   try {
     run.march();
     FAIL() << "it went on";
   } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("\"q\""), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("\"force_x:wall\""), std::string::npos) << e.what();
   }
 }
 
