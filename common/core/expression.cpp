@@ -28,9 +28,10 @@ Expression::Expression(const std::string& formula) : parser_(std::make_unique<Pa
     const double value = p.Eval();
     is_zero_ = used.empty() && value == 0;
   } catch (const mu::Parser::exception_type& e) {
-    fail("a formula in x, y, t and pi is required (operators + - * / ^, functions such as sin, exp, sqrt); "
-         "got \"{}\": {}",
-         formula, e.GetMsg());
+    fail(
+        "a formula in x, y, t and pi is required (operators + - * / ^, functions such as sin, exp, sqrt); "
+        "got \"{}\": {}",
+        formula, e.GetMsg());
   }
 }
 
@@ -44,8 +45,8 @@ double Expression::operator()(double x, double y, double t) const {
   parser_->y = y;
   parser_->t = t;
   const double value = parser_->parser.Eval();
-  require(std::isfinite(value), "the formula \"{}\" must be finite; got {} at x = {}, y = {}, t = {}", formula_,
-          value, x, y, t);
+  require(std::isfinite(value), "the formula \"{}\" must be finite; got {} at x = {}, y = {}, t = {}",
+          formula_, value, x, y, t);
   return value;
 }
 

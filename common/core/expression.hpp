@@ -1,4 +1,5 @@
-/// Formulas of the scene in x, y [m] and t [s], such as "4*0.3*y*(0.41-y)/0.41^2". muParser stays in the source.
+/// Formulas of the scene in x, y [m] and t [s], such as "4*0.3*y*(0.41-y)/0.41^2". muParser stays in the
+/// source.
 #pragma once
 
 #include <memory>

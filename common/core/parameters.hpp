@@ -1,6 +1,7 @@
-/// How a parameter is declared, once. A group of parameters is a struct with `void declare(ParameterVisitor&)`
-/// that names every member with its unit, bounds and sentence; reading the scene, checking it, writing it back
-/// with its defaults filled in, "did you mean" and the scene reference all walk that one declaration.
+/// How a parameter is declared, once. A group of parameters is a struct with `void
+/// declare(ParameterVisitor&)` that names every member with its unit, bounds and sentence; reading the scene,
+/// checking it, writing it back with its defaults filled in, "did you mean" and the scene reference all walk
+/// that one declaration.
 #pragma once
 
 #include <cstdint>
@@ -61,8 +62,8 @@ class ParameterVisitor {
   virtual void texts(const Parameter&, std::vector<std::string>& values, Count) = 0;
   virtual void formulas(const Parameter&, std::vector<std::string>& values, Count) = 0;
 
-  /// A condition between several members. Where it does not hold the reader fails with `required`, the place of
-  /// `key` (which may be dotted, "bodies.0.material") and what came there.
+  /// A condition between several members. Where it does not hold the reader fails with `required`, the place
+  /// of `key` (which may be dotted, "bodies.0.material") and what came there.
   virtual void require(bool condition, std::string_view key, std::string_view required) = 0;
 
   /// A table [key] that always exists (its members have defaults, or are required one by one).
@@ -105,8 +106,8 @@ class ParameterVisitor {
   }
 
  protected:
-  /// True where the table is to be walked: a reader says whether the file has it (or `exists` by default, for a
-  /// plain table, with every member absent), a writer says `exists`, the reference says yes.
+  /// True where the table is to be walked: a reader says whether the file has it (or `exists` by default, for
+  /// a plain table, with every member absent), a writer says `exists`, the reference says yes.
   virtual bool begin_table(const Parameter&, bool exists) = 0;
   virtual std::size_t begin_tables(const Parameter&, std::size_t count) = 0;
   virtual void begin_entry(const Parameter&, std::size_t index) = 0;

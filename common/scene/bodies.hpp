@@ -15,16 +15,16 @@ using Vec3 = std::array<double, 3>;  ///< plane scenes leave z = 0; a plane spin
 /// [[bodies]]
 struct Body {
   std::string name;
-  std::string shape = "disc";     ///< disc | sphere
-  double radius = 0;              ///< contact radius R [m]
-  double density = 0;             ///< ρ_s [kg/m³]
-  std::vector<double> position;   ///< centre at the start [m], 2 or 3 entries
+  std::string shape = "disc";          ///< disc | sphere
+  double radius = 0;                   ///< contact radius R [m]
+  double density = 0;                  ///< ρ_s [kg/m³]
+  std::vector<double> position;        ///< centre at the start [m], 2 or 3 entries
   std::vector<double> velocity{0, 0};  ///< at the start [m/s]
-  std::vector<double> spin{0};    ///< ω at the start [rad/s]: one entry in the plane, three in space
-  std::string motion = "free";    ///< free | fixed | prescribed
+  std::vector<double> spin{0};         ///< ω at the start [rad/s]: one entry in the plane, three in space
+  std::string motion = "free";         ///< free | fixed | prescribed
   std::vector<std::string> prescribed_velocity;  ///< [m/s], formulas of t, for motion = "prescribed"
   std::string prescribed_spin = "0";             ///< [rad/s], formula of t
-  std::string material;           ///< a name of [[materials]]; "" takes the first, or none where nothing touches
+  std::string material;  ///< a name of [[materials]]; "" takes the first, or none where nothing touches
 
   static constexpr std::array<std::string_view, 2> shapes{"disc", "sphere"};
   static constexpr std::array<std::string_view, 3> motions{"free", "fixed", "prescribed"};
@@ -42,8 +42,8 @@ struct Body {
     v.reals({"velocity", "m/s", "velocity of the centre at the start"}, velocity, {axes, axes}, any_number());
     v.reals({"spin", "rad/s", "spin at the start: [ω] of a disc, three entries of a sphere"}, spin,
             {spins, spins}, any_number());
-    v.choice({"motion", "", "free: moved by the DEM; fixed: held; prescribed: moves by formulas of t"}, motion,
-             motions);
+    v.choice({"motion", "", "free: moved by the DEM; fixed: held; prescribed: moves by formulas of t"},
+             motion, motions);
     v.formulas({"prescribed_velocity", "m/s", "velocity as formulas of t, for motion = \"prescribed\""},
                prescribed_velocity, {0, 3});
     v.formula({"prescribed_spin", "rad/s", "spin about z as a formula of t, for motion = \"prescribed\""},

@@ -21,10 +21,11 @@ struct Material {
     v.text({"name", "", "name that bodies and walls refer to; unique", true}, name);
     v.real({"youngs_modulus", "Pa", "E of the Hertz contact", true}, youngs_modulus, positive());
     v.real({"poisson_ratio", "", "Poisson's ratio"}, poisson_ratio, between(0, 0.5));
-    v.real({"restitution", "", "normal speed after over before a dry impact"}, restitution, above_up_to(0, 1));
+    v.real({"restitution", "", "normal speed after over before a dry impact"}, restitution,
+           above_up_to(0, 1));
     v.real({"friction", "", "Coulomb friction coefficient μ"}, friction, not_negative());
-    v.real({"rolling_friction", "", "rolling resistance coefficient: moment at most μ_r R* N"}, rolling_friction,
-           not_negative());
+    v.real({"rolling_friction", "", "rolling resistance coefficient: moment at most μ_r R* N"},
+           rolling_friction, not_negative());
   }
 };
 
@@ -46,13 +47,14 @@ struct Wall {
 /// [dem]
 struct Dem {
   Launch launch;
-  double steps_per_contact = 50;   ///< t_c over the sub-step while something touches
-  double largest_sub_step = 0;     ///< [s]; 0: the coupling step
+  double steps_per_contact = 50;  ///< t_c over the sub-step while something touches
+  double largest_sub_step = 0;    ///< [s]; 0: the coupling step
 
   void declare(ParameterVisitor& v) {
     launch.declare(v);
-    v.real({"steps_per_contact", "", "sub-steps in the Hertz contact time of the stiffest pair that can touch"},
-           steps_per_contact, between(10, 1e6));
+    v.real(
+        {"steps_per_contact", "", "sub-steps in the Hertz contact time of the stiffest pair that can touch"},
+        steps_per_contact, between(10, 1e6));
     v.real({"largest_sub_step", "s", "upper limit of the sub-step in free flight; 0: the coupling step"},
            largest_sub_step, not_negative());
   }

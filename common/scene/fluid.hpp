@@ -13,16 +13,17 @@ namespace fpi::scene {
 
 /// [fluid.mesh]: a Gmsh file, or a rectangle made here.
 struct Mesh {
-  std::string file;                 ///< Gmsh .msh (2.2 or 4.1); the coupler reads its bytes
-  std::vector<double> lower, upper; ///< corners of the rectangle [m]
+  std::string file;                       ///< Gmsh .msh (2.2 or 4.1); the coupler reads its bytes
+  std::vector<double> lower, upper;       ///< corners of the rectangle [m]
   std::int64_t cells_x = 0, cells_y = 0;  ///< uniform division
-  double cell_size = 0;             ///< [m] graded division: size inside fine_region
-  std::vector<double> fine_region;  ///< [x0, y0, x1, y1] [m]; empty: everywhere
-  double growth = 1.15;             ///< ratio of neighbouring cell sizes outside fine_region
-  double largest_cell_size = 0;     ///< [m]; 0: no limit
+  double cell_size = 0;                   ///< [m] graded division: size inside fine_region
+  std::vector<double> fine_region;        ///< [x0, y0, x1, y1] [m]; empty: everywhere
+  double growth = 1.15;                   ///< ratio of neighbouring cell sizes outside fine_region
+  double largest_cell_size = 0;           ///< [m]; 0: no limit
 
   void declare(ParameterVisitor& v) {
-    v.text({"file", "", "Gmsh mesh (.msh, format 2.2 or 4.1), beside the scene; else a rectangle is made"}, file);
+    v.text({"file", "", "Gmsh mesh (.msh, format 2.2 or 4.1), beside the scene; else a rectangle is made"},
+           file);
     v.reals({"lower", "m", "lower left corner of the rectangle"}, lower, {0, 2}, any_number());
     v.reals({"upper", "m", "upper right corner of the rectangle"}, upper, {0, 2}, any_number());
     v.integer({"cells_x", "", "uniform division: cells along x, each of two triangles"}, cells_x,
@@ -37,8 +38,9 @@ struct Mesh {
     v.real({"largest_cell_size", "m", "graded division: upper limit of the size; 0: none"}, largest_cell_size,
            not_negative());
     const bool rectangle = lower.size() == 2 && upper.size() == 2;
-    v.require(file.empty() ? rectangle : lower.empty() && upper.empty(), file.empty() ? "lower" : "file",
-              "must name a mesh, or else lower = [x, y] and upper = [x, y] must give the corners of a rectangle");
+    v.require(
+        file.empty() ? rectangle : lower.empty() && upper.empty(), file.empty() ? "lower" : "file",
+        "must name a mesh, or else lower = [x, y] and upper = [x, y] must give the corners of a rectangle");
     v.require(!rectangle || (lower[0] < upper[0] && lower[1] < upper[1]), "upper",
               "must lie right of and above lower");
     const bool uniform = cells_x > 0 && cells_y > 0, divided = cells_x > 0 || cells_y > 0;
@@ -46,7 +48,8 @@ struct Mesh {
               "must go without the other: a rectangle has either cells_x and cells_y, or cell_size");
     v.require(rectangle || (cell_size == 0 && !divided), "file",
               "has its own cells: remove cells_x, cells_y and cell_size");
-    v.require(fine_region.empty() || fine_region.size() == 4, "fine_region", "must be [x0, y0, x1, y1] or empty");
+    v.require(fine_region.empty() || fine_region.size() == 4, "fine_region",
+              "must be [x0, y0, x1, y1] or empty");
   }
 };
 
@@ -89,10 +92,10 @@ struct Newton {
 
 /// [fluid.embedding]: numerics.md section 1. The defaults suit every scene measured so far.
 struct Embedding {
-  double arc_ratio = 1.0;             ///< H/h
-  double ghost_viscous = 0.1;         ///< γ_u
-  double ghost_pressure = 0.1;        ///< γ_p
-  double ghost_inertia = 0.1;         ///< γ_m
+  double arc_ratio = 1.0;       ///< H/h
+  double ghost_viscous = 0.1;   ///< γ_u
+  double ghost_pressure = 0.1;  ///< γ_p
+  double ghost_inertia = 0.1;   ///< γ_m
 
   void declare(ParameterVisitor& v) {
     v.real({"arc_ratio", "", "H/h: length of a multiplier arc over the local element size"}, arc_ratio,
@@ -124,7 +127,7 @@ struct Fluid {
   std::optional<double> kinematic_viscosity;  ///< ν [m²/s]
   bool convection = true;
   std::string viscous_form = "symmetric";
-  double newmark_gamma = 0.5;                 ///< γ of paper eq. (10)
+  double newmark_gamma = 0.5;                           ///< γ of paper eq. (10)
   std::vector<std::string> body_force{"0", "0"};        ///< ρb [N/m³], besides gravity
   std::vector<std::string> initial_velocity{"0", "0"};  ///< [m/s]
   Mesh mesh;
@@ -137,19 +140,23 @@ struct Fluid {
   void declare(ParameterVisitor& v) {
     launch.declare(v);
     v.real({"density", "kg/m³", "fluid density ρ", true}, density, positive());
-    v.real({"dynamic_viscosity", "Pa s", "μ; either this or kinematic_viscosity"}, dynamic_viscosity, positive());
+    v.real({"dynamic_viscosity", "Pa s", "μ; either this or kinematic_viscosity"}, dynamic_viscosity,
+           positive());
     v.real({"kinematic_viscosity", "m²/s", "ν = μ/ρ; either this or dynamic_viscosity"}, kinematic_viscosity,
            positive());
     v.require(dynamic_viscosity.has_value() != kinematic_viscosity.has_value(), "dynamic_viscosity",
               "must be given, or kinematic_viscosity, and not both");
     v.boolean({"convection", "", "false: Stokes flow; the system is linear"}, convection);
-    v.choice({"viscous_form", "",
-              "symmetric: 2μ ε(u):ε(w), traction σn at open boundaries; gradient: μ ∇u:∇w, as the DFG references"},
-             viscous_form, viscous_forms);
+    v.choice(
+        {"viscous_form", "",
+         "symmetric: 2μ ε(u):ε(w), traction σn at open boundaries; gradient: μ ∇u:∇w, as the DFG references"},
+        viscous_form, viscous_forms);
     v.real({"newmark_gamma", "", "γ of Newmark's method: 0.5 second order, 1 backward Euler"}, newmark_gamma,
            between(0.5, 1));
-    v.formulas({"body_force", "N/m³", "force density besides gravity, formulas of x, y, t"}, body_force, {2, 2});
-    v.formulas({"initial_velocity", "m/s", "velocity at the start, formulas of x, y"}, initial_velocity, {2, 2});
+    v.formulas({"body_force", "N/m³", "force density besides gravity, formulas of x, y, t"}, body_force,
+               {2, 2});
+    v.formulas({"initial_velocity", "m/s", "velocity at the start, formulas of x, y"}, initial_velocity,
+               {2, 2});
     v.table({"mesh", "", "the fixed Eulerian mesh"}, mesh);
     v.named_tables({"boundaries", "",
                     "a table a named boundary; a rectangle has left, right, bottom, top, a Gmsh mesh its "

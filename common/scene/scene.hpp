@@ -1,5 +1,5 @@
-/// A scene: everything a run needs, as declared in the groups beside this file. Only the coupler reads the file;
-/// a participant gets its part (`part_for`) as text with all defaults filled in and reads that.
+/// A scene: everything a run needs, as declared in the groups beside this file. Only the coupler reads the
+/// file; a participant gets its part (`part_for`) as text with all defaults filled in and reads that.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ namespace fpi::scene {
 /// [time]
 struct Time {
   bool steady = false;
-  double step = 0;               ///< Δt [s]
-  double end = 0;                ///< [s]
+  double step = 0;  ///< Δt [s]
+  double end = 0;   ///< [s]
   std::int64_t max_halvings = 6;
 
   void declare(ParameterVisitor& v) {
@@ -33,7 +33,7 @@ struct Time {
 
 /// [output]
 struct Output {
-  double interval = 0;            ///< [s] of fields; 0: first and last only
+  double interval = 0;  ///< [s] of fields; 0: first and last only
   bool fields = true;
   std::int64_t checkpoint_every = 0;
 
@@ -68,10 +68,11 @@ struct Probe {
 
   void declare(ParameterVisitor& v) {
     v.text({"name", "", "name in the results; unique", true}, name);
-    v.choice({"quantity", "", "what is read there; pressure is the reduced one where there is gravity"}, quantity,
-             quantities);
+    v.choice({"quantity", "", "what is read there; pressure is the reduced one where there is gravity"},
+             quantity, quantities);
     v.reals({"point", "m", "where", true}, point, {2, 2}, any_number());
-    v.reals({"minus", "m", "a second point whose value is taken away; empty: none"}, minus, {0, 2}, any_number());
+    v.reals({"minus", "m", "a second point whose value is taken away; empty: none"}, minus, {0, 2},
+            any_number());
     v.require(minus.size() != 1, "minus", "must be [x, y] or empty");
   }
 };
@@ -95,8 +96,8 @@ struct Scene {
 
   void declare(ParameterVisitor& v);
 
-  bool moves_freely() const;                  ///< a body is free
-  bool moves() const;                         ///< a body is free or prescribed
+  bool moves_freely() const;  ///< a body is free
+  bool moves() const;         ///< a body is free or prescribed
   bool needs_fluid() const { return fluid.has_value(); }
   bool needs_dem() const { return moves_freely(); }
 };
@@ -106,7 +107,8 @@ enum class Part { fluid, dem };
 /// Reads a scene file. Throws Error: file, line, key, what was required, what came, "did you mean".
 Scene read_file(const std::string& path, const std::vector<std::string>& overrides = {});
 /// Reads a scene from text; `name` stands for the file in errors. Overrides are "key.subkey=value".
-Scene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {});
+Scene read_text(const std::string& text, const std::string& name,
+                const std::vector<std::string>& overrides = {});
 /// The scene as TOML with every default filled in.
 std::string write_text(const Scene& scene);
 /// The scene without what concerns the other role, as TOML; the mesh file's name stays, its bytes go beside.

@@ -98,7 +98,8 @@ TEST(Cut, degenerate_positions_keep_area_and_arc_length) {
                 1e-6 * h)
         << c.centre.transpose() << " r " << c.radius;
     // Where a circle only grazes an edge, the crossing is known to the root of round-off.
-    EXPECT_NEAR(arc_length(cut), 2 * pi * c.radius, 1e-7 * c.radius) << c.centre.transpose() << " r " << c.radius;
+    EXPECT_NEAR(arc_length(cut), 2 * pi * c.radius, 1e-7 * c.radius)
+        << c.centre.transpose() << " r " << c.radius;
   }
 }
 
