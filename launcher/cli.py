@@ -16,6 +16,8 @@ def main(words: list[str]) -> int:
         return arguments.do(arguments)
     except Refusal as refusal:
         print(f"fpi: {refusal}", file=sys.stderr)
+        if getattr(arguments, "json", False):
+            print(json.dumps({"status": "failed", "reason": str(refusal)}))
         return 1
     except KeyboardInterrupt:
         return 130
@@ -92,13 +94,17 @@ def execute(request: run.Request, plan: dict, arguments) -> int:
     request.listen, request.keys, request.threads = arguments.listen, arguments.keys, arguments.jobs
     screen = display.choose(arguments.quiet or arguments.json)
     screen.say(f"{plan['title'] or request.scene.stem}: results go to {request.folder}")
+    the_run = run.Run(request, plan, screen)
     try:
-        status = run.Run(request, plan, screen).execute()
+        status = the_run.execute()
     finally:
         screen.close()
-    summary = report.summary_of(request.folder)
+    summary, sudden_end = report.summary_of(request.folder), the_run.sudden_end()
     if summary is None:
-        raise Refusal(f"the run ended with status {status} before it had results; see {request.folder}/*.log")
+        how = sudden_end or f"the run ended with status {status}"
+        raise Refusal(f"{how} before it had results; see {request.folder}/*.log")
+    if sudden_end:
+        summary |= {"status": "failed", "reason": sudden_end}
     if arguments.json:
         print(json.dumps({"run": str(request.folder), **summary}, indent=2))
     elif not arguments.quiet:

@@ -1,11 +1,29 @@
-"""The results of a run as arrays: mesh and fields, bodies over time, tractions on the bodies, the history."""
+"""The results of a run as arrays: mesh and fields, bodies over time, tractions on the bodies, the history; and what
+of its scene decides how they are drawn."""
 
+import contextlib
 import csv
+import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
 import h5py
 import numpy as np
+
+from launcher.common import Refusal
+
+
+@dataclass
+class Scene:
+    """What the pictures need of scene.toml."""
+
+    steady: bool = False
+    heavy: bool = False  # there is gravity, so the pressure is the reduced one
+    closed: bool = False  # no boundary gives the pressure a level
+    box: tuple[list[float], list[float]] | None = None  # corners of a rectangular mesh [m]
+
+    def when(self, time: float) -> str:
+        return "steady" if self.steady else f"t = {time:.4g} s"
 
 
 @dataclass
@@ -64,16 +82,42 @@ class Fields:
         return Snapshot(self.time(index), group["velocity"][:], group["pressure"][:], group["active"][:] > 0)
 
 
+@contextlib.contextmanager
+def reading(path: Path):
+    """Turns what a damaged file raises into a sentence."""
+    try:
+        yield
+    except (OSError, KeyError, ValueError, csv.Error) as error:
+        raise Refusal(f"{path} must hold what a run writes, and cannot be read: {error}. "
+                      "Move it away to draw what else there is") from error
+
+
+def read_scene(run: Path) -> Scene:
+    path = run / "scene.toml"
+    if not path.exists():
+        return Scene()
+    with reading(path), path.open("rb") as file:
+        scene = tomllib.load(file)
+    fluid = scene.get("fluid", {})
+    boundaries, mesh = fluid.get("boundaries", {}).values(), fluid.get("mesh", {})
+    return Scene(steady=scene.get("time", {}).get("steady", False), heavy=any(scene.get("gravity", [])),
+                 closed=all(boundary.get("type") != "traction" for boundary in boundaries),
+                 box=(mesh["lower"], mesh["upper"]) if mesh.get("lower") and mesh.get("upper") else None)
+
+
 def read_fields(run: Path) -> Fields | None:
     path = run / "fields.h5"
-    return Fields(path) if path.exists() else None
+    if not path.exists():
+        return None
+    with reading(path):
+        return Fields(path)
 
 
 def read_bodies(run: Path) -> Bodies | None:
     path = run / "bodies.h5"
     if not path.exists():
         return None
-    with h5py.File(path, "r") as file:
+    with reading(path), h5py.File(path, "r") as file:
         if "time" not in file or len(file["time"]) == 0:
             return None
         names = [name.decode() if isinstance(name, bytes) else str(name) for name in file["name"][:]]
@@ -85,7 +129,7 @@ def read_strongest_tractions(run: Path) -> Tractions | None:
     path = run / "interface.h5"
     if not path.exists():
         return None
-    with h5py.File(path, "r") as file:
+    with reading(path), h5py.File(path, "r") as file:
         groups = [group for group in file.get("steps", {}).values() if len(group["traction"]) > 0]
         if not groups:
             return None
@@ -99,7 +143,8 @@ def read_history(run: Path) -> dict[str, np.ndarray]:
     path = run / "history.csv"
     if not path.exists():
         return {}
-    with path.open(newline="") as file:
+    with reading(path), path.open(newline="") as file:
         header, *rows = csv.reader(file)
-    values = np.array([[float(cell) for cell in row] for row in rows if len(row) == len(header)])
-    return dict(zip(header, values.reshape(-1, len(header)).T))
+        # a run that was killed may leave half a line
+        values = np.array([[float(cell) for cell in row] for row in rows if len(row) == len(header)])
+        return dict(zip(header, values.reshape(-1, len(header)).T))

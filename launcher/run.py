@@ -89,6 +89,7 @@ class Run:
         self.participants: list[Child] = []
         self.told: set[str] = set()
         self.interrupted_at: float | None = None
+        self.stopped_at_once = False
 
     def execute(self) -> int:
         """Runs to the end and returns the coupler's exit status, or 130 after an interruption."""
@@ -104,6 +105,16 @@ class Run:
             return 130
         status = self.coupler.status
         return 1 if status is None or status < 0 else status
+
+    def sudden_end(self) -> str:
+        """How the run ended where the coupler could not say it itself; empty where it could."""
+        status = self.coupler.status
+        if status is None or status >= 0:
+            return ""
+        words = "stopped by the user at once" if self.stopped_at_once else f"coupler was killed by {describe(status)}"
+        if (self.request.folder / "checkpoint.h5").exists():
+            words += f"; `./fpi resume {self.request.folder}` continues from the last checkpoint"
+        return words
 
     def coupler_command(self) -> list[str]:
         request = self.request
@@ -144,13 +155,15 @@ class Run:
     def start_participants(self, address: str) -> None:
         for participant in self.plan["participants"]:
             role = participant["role"]
-            words = shlex.split(participant["command"]) or [str(program(OURS[role]))]
-            options = ["--connect", reachable(address), "--scene", str(self.plan["scene_fingerprint"])]
+            words = shlex.split(participant["command"])
+            options = ["--scene", str(self.plan["scene_fingerprint"])]
             if self.request.keys:
                 options += ["--keys", str(self.request.keys)]
             if participant["external"]:
-                self.display.say(f"Waiting for the {role} program; start it with: {shlex.join(options)}")
+                command = [*(words or [OURS[role]]), "--connect", reachable(address, "HOST"), *options]
+                self.display.say(f"Waiting for the {role} program; start it with: {shlex.join(command)}")
                 continue
+            words = [*(words or [str(program(OURS[role]))]), "--connect", reachable(address, "127.0.0.1")]
             log = self.request.folder / f"{OURS[role]}.log"
             with self.output_path(role).open("wb") as output:
                 try:
@@ -195,6 +208,7 @@ class Run:
         if first:
             self.interrupted_at = time.monotonic()
             self.display.say("Ending the run: files are closed, all programs are told. (Ctrl-C again: at once.)")
+        self.stopped_at_once = not first
         for child in [self.coupler] if first else [self.coupler, *self.participants]:
             if child is not None and child.status is None:
                 child.signal(signal.Signals(number) if first else signal.SIGKILL)
@@ -228,8 +242,8 @@ def interruptions_call(handler):
             signal.signal(number, action)
 
 
-def reachable(address: str) -> str:
-    """The bound address as a program on this machine connects to it."""
+def reachable(address: str, host: str) -> str:
+    """The bound address as a program connects to it, with `host` in place of "every interface"."""
     for everywhere in ("0.0.0.0", "[::]", "*"):
-        address = address.replace(f"//{everywhere}:", "//127.0.0.1:")
+        address = address.replace(f"//{everywhere}:", f"//{host}:")
     return address

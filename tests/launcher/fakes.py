@@ -23,15 +23,25 @@ if "--check" in words:
     print(words[words.index("--check") + 1] + ": ok")
     sys.exit(0)
 out = words[words.index("--out") + 1]
-def end(status, reason):
+def note(status, reason):
     summary = {"status": "failed" if status else "completed", "reason": reason, "steps": 3, "unknowns": None,
                "sub_iterations": {"mean": 2.0, "max": 3}, "wall_seconds": {"total": 1.0, "factor": None},
                "bodies": [], "coefficients": {}, "probes": {}}
-    json.dump(summary, open(os.path.join(out, "summary.json"), "w"))
+    with open(os.path.join(out, "summary.json"), "w") as file:
+        json.dump(summary, file)
+def end(status, reason):
+    note(status, reason)
     sys.exit(status)
-signal.signal(signal.SIGINT, lambda *_: end(1, "interrupted"))
+what = os.environ.get("FAKE_COUPLER", "")
+note(1, "the run is under way, or it ended without a word")
+if what.startswith("die"):
+    if what == "die with checkpoint":
+        open(os.path.join(out, "checkpoint.h5"), "w").close()
+    os.kill(os.getpid(), signal.SIGKILL)
+signal.signal(signal.SIGINT, signal.SIG_IGN if what == "hang" else lambda *_: end(1, "interrupted"))
 print(" ".join(words))
-print("address tcp://127.0.0.1:5999", flush=True)
+address = words[words.index("--listen") + 1] if "--listen" in words else "tcp://127.0.0.1:5999"
+print("address " + address, flush=True)
 print('progress {"step": 1, "steps": 3, "time": 0.1, "end": 0.3, "sub_iterations": 2, "text": "step 1 of 3"}', flush=True)
 for line in sys.stdin:
     if line.split()[2] != "0":
@@ -73,15 +83,15 @@ class FakeTest(unittest.TestCase):
     def scene(self, participants: str) -> None:
         (self.folder / "drop.toml").write_text(participants)
 
-    def start(self, *words: str, fluid: str = "end") -> subprocess.Popen:
-        environment = os.environ | {"FPI_BIN": str(self.bin), "FAKE_FLUID": fluid,
+    def start(self, *words: str, fluid: str = "end", coupler: str = "") -> subprocess.Popen:
+        environment = os.environ | {"FPI_BIN": str(self.bin), "FAKE_FLUID": fluid, "FAKE_COUPLER": coupler,
                                     "FAKE_PID": str(self.folder / "pid")}
         return subprocess.Popen([str(ROOT / "fpi"), *words], cwd=self.folder, env=environment,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
-    def fpi(self, *words: str, fluid: str = "end") -> tuple[int, str, str]:
+    def fpi(self, *words: str, fluid: str = "end", coupler: str = "") -> tuple[int, str, str]:
         """Status, output and errors of `./fpi WORDS`."""
-        process = self.start(*words, fluid=fluid)
+        process = self.start(*words, fluid=fluid, coupler=coupler)
         out, err = process.communicate(timeout=60)
         return process.returncode, out, err
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from launcher import plot, results
+from launcher import charts, maps, plot, results
 from launcher.common import Refusal
 
 POINTS = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0], [1, 0.5], [0.5, 0.5], [0.5, 1], [0, 0.5]], float)
@@ -78,9 +78,64 @@ class Plot(unittest.TestCase):
     def test_cells_inside_bodies_are_hidden(self):
         write_run(self.run_folder)
         fields = results.read_fields(self.run_folder)
-        shown = plot.visible(fields, fields.snapshot(2)).get_masked_triangles()
+        shown = maps.visible(fields, fields.snapshot(2)).get_masked_triangles()
         self.assertEqual(len(shown), 4)
         fields.file.close()
+
+    def test_arrows_stand_in_the_moving_fluid_outside_bodies(self):
+        write_run(self.run_folder)
+        fields, bodies = results.read_fields(self.run_folder), results.read_bodies(self.run_folder)
+        at, velocity, spacing = maps.sampled_velocity(fields, fields.snapshot(2), bodies)
+        np.testing.assert_allclose(velocity, 2 * at, atol=1e-12)
+        self.assertTrue((np.linalg.norm(at - [0.5, 0.5], axis=1) > 0.2).all())
+        self.assertTrue((at[:, 1] <= at[:, 0] + 1e-12).all(), "the upper triangle is inactive")
+        self.assertGreater(len(at), 60)
+        self.assertAlmostEqual(spacing, 1 / np.sqrt(maps.ARROWS))
+        fields.file.close()
+
+    def test_the_mean_is_that_of_the_visible_area(self):
+        write_run(self.run_folder)
+        fields = results.read_fields(self.run_folder)
+        triangles = maps.visible(fields, fields.snapshot(2))
+        self.assertAlmostEqual(maps.mean(triangles, POINTS[:, 0]), 2 / 3)  # centroid of the lower triangle
+        fields.file.close()
+
+    def test_singular_corners_do_not_take_the_colours(self):
+        self.assertLessEqual(maps.limits(np.array([*np.linspace(0, 1, 101), 1e6]), 1.0)[1], 1.0)
+
+    def test_the_scene_tells_how_to_draw(self):
+        self.assertEqual(results.read_scene(self.run_folder), results.Scene())
+        path = self.run_folder / "scene.toml"
+        path.write_text('gravity = [0, -9.81]\ntime.steady = true\n[fluid.mesh]\nlower = [0, 0]\nupper = [2, 1]\n'
+                        '[fluid.boundaries]\nleft.type = "velocity"\n')
+        scene = results.read_scene(self.run_folder)
+        self.assertEqual(scene, results.Scene(steady=True, heavy=True, closed=True, box=([0, 0], [2, 1])))
+        self.assertEqual(scene.when(0.0), "steady")
+        path.write_text('gravity = [0, 0]\n[fluid.boundaries]\nleft.type = "traction"\n')
+        self.assertEqual(results.read_scene(self.run_folder), results.Scene())
+
+    def test_panels_without_a_value_are_left_out(self):
+        zero, one = np.zeros(2), np.ones(2)
+        history = {"time": one, "a.fx": zero, "a.fy": one, "lift": zero, "front": np.full(2, np.nan),
+                   "sub_iterations": one, "newton_iterations": zero, "residual_velocity": zero}
+        self.assertEqual(charts.panels(history), [("force on the bodies [N]", ["a.fy"], False),
+                                                  ("iterations a step", ["sub_iterations"], False)])
+
+    def test_damaged_files_are_refused_with_a_sentence(self):
+        write_run(self.run_folder)
+        # in the reverse of the order they are read in, so that each is the first to be found damaged
+        for name, damage in (("history.csv", b""), ("history.csv", b"time,x\n0.1,oops\n"), ("history.csv", b"\xff\x00"),
+                             ("interface.h5", b"x"), ("bodies.h5", b"x"), ("fields.h5", b"x"), ("scene.toml", b"= 1")):
+            (self.run_folder / name).write_bytes(damage)
+            with self.assertRaises(Refusal) as refused:
+                plot.draw(self.run_folder)
+            self.assertIn(f"{name} must hold what a run writes", str(refused.exception))
+
+    def test_a_half_written_line_of_the_history_is_left_out(self):
+        write_run(self.run_folder)
+        with (self.run_folder / "history.csv").open("a") as file:
+            file.write("0.3,3,2")
+        np.testing.assert_array_equal(results.read_history(self.run_folder)["time"], [0.1, 0.2])
 
     def test_the_strongest_tractions_are_chosen(self):
         write_run(self.run_folder)

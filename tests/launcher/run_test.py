@@ -45,13 +45,19 @@ class Running(FakeTest):
         self.assertEqual(status, 0)
         self.assertTrue((self.folder / "pid.words").read_text().startswith("--fast --connect"))
 
-    def test_an_external_program_is_not_started_but_its_command_is_shown(self):
-        self.scene('[{"role": "fluid", "command": "", "external": true}]')
-        process = self.start("run", "drop.toml")
-        lines = [process.stdout.readline() for _ in range(3)]
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=60)
-        self.assertIn("start it with: --connect tcp://127.0.0.1:5999", "".join(lines))
+    def test_an_external_program_is_not_started_but_its_whole_command_is_shown(self):
+        for command, words, expected in (
+                ("", [], "fluid_server --connect tcp://127.0.0.1:5999 --scene 7"),
+                ("my_solver --fast", [], "my_solver --fast --connect tcp://127.0.0.1:5999 --scene 7"),
+                ("", ["--listen", "tcp://0.0.0.0:5555", "--keys", "k"],
+                 "fluid_server --connect tcp://HOST:5555 --scene 7 --keys k"),
+                ("", ["--listen", "tcp://*:5555"], "fluid_server --connect tcp://HOST:5555 --scene 7")):
+            self.scene(json.dumps([{"role": "fluid", "command": command, "external": True}]))
+            process = self.start("run", "drop.toml", *words)
+            lines = [process.stdout.readline() for _ in range(3)]
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=60)
+            self.assertEqual(lines[2], f"Waiting for the fluid program; start it with: {expected}\n")
         self.assertFalse((self.folder / "pid").exists())
 
     def test_quiet_prints_nothing_and_json_the_summary_only(self):
@@ -65,6 +71,12 @@ class Running(FakeTest):
         self.assertEqual(status, 1)
         self.assertIn('the key "broken" is not known', err)
         self.assertFalse((self.folder / "runs").exists())
+
+    def test_a_refused_scene_is_one_json_object_too(self):
+        self.scene("broken")
+        status, out, _ = self.fpi("run", "drop.toml", "--json")
+        self.assertEqual(status, 1)
+        self.assertEqual(json.loads(out), {"status": "failed", "reason": 'drop.toml:1: the key "broken" is not known'})
 
 
 class Folders(FakeTest):
@@ -103,6 +115,29 @@ class Ending(FakeTest):
         self.assertEqual(process.returncode, 130)
         self.assertEqual(json.loads((self.folder / "r" / "summary.json").read_text())["reason"], "interrupted")
         self.assertFalse(runs(pid))
+
+    def test_a_second_ctrl_c_ends_everything_at_once_and_says_so(self):
+        process = self.start("run", "drop.toml", fluid="hang", coupler="hang")
+        pid = self.fluid_pid()
+        process.send_signal(signal.SIGINT)
+        while "Ctrl-C again" not in process.stdout.readline():
+            pass
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate(timeout=10)
+        self.assertEqual(process.returncode, 130)
+        self.assertIn("failed: stopped by the user at once\n", out)
+        self.assertFalse(runs(pid))
+
+    def test_a_killed_coupler_is_named_with_its_signal(self):
+        status, out, _ = self.fpi("run", "drop.toml", coupler="die")
+        self.assertEqual(status, 1)
+        self.assertIn("failed: coupler was killed by signal 9 (SIGKILL)\n", out)
+
+    def test_after_a_kill_the_word_that_continues_from_the_checkpoint_is_given(self):
+        status, out, _ = self.fpi("run", "drop.toml", "--json", "--out", "r", coupler="die with checkpoint")
+        self.assertEqual((status, json.loads(out)["reason"]),
+                         (1, "coupler was killed by signal 9 (SIGKILL); `./fpi resume r` continues from the last "
+                             "checkpoint"))
 
     def test_nothing_outlives_a_killed_launcher(self):
         process = self.start("run", "drop.toml", fluid="hang")

@@ -104,9 +104,10 @@ class Parts(unittest.TestCase):
             lines.take(chunk)
         self.assertEqual(heard, ["address x", "progress y", "end"])
 
-    def test_a_wildcard_address_is_reached_on_this_machine(self):
-        self.assertEqual(run.reachable("tcp://0.0.0.0:5555"), "tcp://127.0.0.1:5555")
-        self.assertEqual(run.reachable("tcp://10.0.0.5:5555"), "tcp://10.0.0.5:5555")
+    def test_a_wildcard_address_is_reached_by_a_host(self):
+        for everywhere in ("0.0.0.0", "[::]", "*"):
+            self.assertEqual(run.reachable(f"tcp://{everywhere}:5555", "127.0.0.1"), "tcp://127.0.0.1:5555")
+        self.assertEqual(run.reachable("tcp://10.0.0.5:5555", "127.0.0.1"), "tcp://10.0.0.5:5555")
 
     def test_programs_get_one_thread_unless_the_user_says_otherwise(self):
         one = run.Run(run.Request(Path("a.toml"), Path("r")), {}, None)
