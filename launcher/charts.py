@@ -17,7 +17,8 @@ def trajectories(bodies: results.Bodies, scene: results.Scene):
         x, y = bodies.position[:, i, 0], bodies.position[:, i, 1]
         line, = path.plot(x, y)
         for k, style in ((0, "--"), (-1, "-")):
-            path.add_patch(Circle((x[k], y[k]), bodies.radius[i], fill=False, edgecolor=line.get_color(), linestyle=style))
+            path.add_patch(Circle((x[k], y[k]), bodies.radius[i], fill=False, edgecolor=line.get_color(),
+                                  linestyle=style))
         height.plot(bodies.time, y, label=name)
         fast.plot(bodies.time, np.linalg.norm(bodies.velocity[:, i], axis=1))
     if scene.box is not None:
