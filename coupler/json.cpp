@@ -100,4 +100,9 @@ std::string to_json(const Summary& s) {
          "\n";
 }
 
+bool says_completed(const std::string& summary) {
+  const Json json = Json::parse(summary, nullptr, /*allow_exceptions=*/false);
+  return json.is_object() && json.contains("status") && json["status"] == "completed";
+}
+
 }  // namespace fpi

@@ -30,4 +30,7 @@ std::string to_json(const Plan& plan);
 std::string to_json(const Standing& standing);
 std::string to_json(const Summary& summary);
 
+/// Whether this is the text of a summary with the status "completed".
+bool says_completed(const std::string& summary);
+
 }  // namespace fpi

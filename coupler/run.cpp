@@ -24,10 +24,13 @@ Run::Run(const scene::Scene& scene, Participants participants, std::string folde
 void Run::start(const MeshFile& mesh) {
   simulation_.configure(mesh, {});
   recorder_.emplace(scene_, folder_);
+  if (!scene_.time.steady && window_.step() != scene_.time.step) {
+    log::info("the time step is {} s instead of {} s (time.step), so that output times and the end are hit",
+              window_.step(), scene_.time.step);
+  }
 }
 
-void Run::resume(const MeshFile& mesh) {
-  const Checkpoint checkpoint = read_checkpoint(folder_, scene::fingerprint(scene_));
+void Run::resume(const MeshFile& mesh, const Checkpoint& checkpoint) {
   simulation_.configure(mesh, checkpoint.participants);
   simulation_.set_numbers(checkpoint.simulation);
   window_.set_state(checkpoint.time_window);

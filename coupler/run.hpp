@@ -33,8 +33,8 @@ class Run {
 
   /// Configures the participants and begins at t = 0 with new result files.
   void start(const MeshFile& mesh);
-  /// Configures the participants as the checkpoint in the folder has them and continues there.
-  void resume(const MeshFile& mesh);
+  /// Configures the participants as the checkpoint has them and continues there.
+  void resume(const MeshFile& mesh, const Checkpoint& checkpoint);
 
   /// To the end. Throws Error with the reason where that cannot be reached; results up to there are in the
   /// files.

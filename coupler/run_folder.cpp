@@ -1,12 +1,19 @@
 #include "run_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
 #include "core/error.hpp"
+#include "json.hpp"
 #include "output/replace.hpp"
 
 namespace fpi {
@@ -37,6 +44,26 @@ void make_folder(const std::string& folder) {
   fs::create_directories(folder, error);
   require(fs::is_directory(folder), "a folder for results is required; {} cannot be made: {}", folder,
           error.message());
+}
+
+FolderLock::FolderLock(const std::string& folder)
+    : file_(open((folder + "/.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
+  if (file_ >= 0 && flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+  const int error = errno;
+  if (file_ >= 0) close(file_);
+  require(error != EWOULDBLOCK,
+          "a folder in which no run is under way is required; one is in {}: wait for its end, stop it, or "
+          "take another folder",
+          folder);
+  fail("a folder that can be written and locked is required; {}/.lock cannot be: {}", folder,
+       std::strerror(error));
+}
+
+FolderLock::~FolderLock() { close(file_); }
+
+bool is_completed(const std::string& folder) {
+  std::ifstream file(folder + "/summary.json");
+  return says_completed({std::istreambuf_iterator<char>(file), {}});
 }
 
 void fill_folder(const std::string& folder, scene::Scene& scene, const MeshFile& mesh) {

@@ -15,6 +15,22 @@ MeshFile read_mesh(const scene::Scene& scene, const std::string& scene_file);
 /// Makes the folder where it is missing. Throws Error where that is not possible.
 void make_folder(const std::string& folder);
 
+/// Keeps all other runs out of a folder. The kernel lets go of it when the process ends, however it ends.
+class FolderLock {
+ public:
+  /// Throws Error where a run in that folder is still under way.
+  explicit FolderLock(const std::string& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_;
+};
+
+/// Whether the summary in the folder says that its run reached the end.
+bool is_completed(const std::string& folder);
+
 /// Removes the results of an older run; writes scene.toml and the mesh. The scene then names the mesh in the
 /// folder.
 void fill_folder(const std::string& folder, scene::Scene& scene, const MeshFile& mesh);

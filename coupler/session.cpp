@@ -62,9 +62,12 @@ class Session {
 
   int run() {
     make_folder(options_.folder);
+    const FolderLock lock(options_.folder);
     log::open("coupler", options_.folder + "/coupler.log", log::Level::warning);
     try {
       prepare();
+      open_address();
+      begin();
       admit();
       march();
       summary_.status = "completed";
@@ -84,7 +87,25 @@ class Session {
     scene_ = scene::read_file(file, options_.overrides);
     plan_ = make_plan(scene_);
     mesh_ = read_mesh(scene_, file);
+    if (!options_.resume) return;
+    require(!is_completed(options_.folder), "nothing to resume: the run reached its end");
+    checkpoint_ = read_checkpoint(options_.folder, plan_.scene_fingerprint);
+  }
+
+  void open_address() {
+    host_ = std::make_unique<proto::Host>(
+        proto::HostOptions{.address = options_.listen,
+                           .keys = options_.keys,
+                           .run = number_,
+                           .scene_fingerprint = plan_.scene_fingerprint,
+                           .silence_timeout = scene_.coupling.participant_timeout,
+                           .watch_stdin = options_.watch_stdin});
+  }
+
+  /// From here on the folder tells of this run.
+  void begin() {
     if (!options_.resume) fill_folder(options_.folder, scene_, mesh_);
+    began_ = true;
     // Should this process be killed, this is what the folder says.
     summary_.reason = "the run is under way, or it ended without a word";
     write_summary();
@@ -92,14 +113,6 @@ class Session {
   }
 
   void admit() {
-    const std::uint64_t run = random_run_number();
-    host_ = std::make_unique<proto::Host>(
-        proto::HostOptions{.address = options_.listen,
-                           .keys = options_.keys,
-                           .run = run,
-                           .scene_fingerprint = plan_.scene_fingerprint,
-                           .silence_timeout = scene_.coupling.participant_timeout,
-                           .watch_stdin = options_.watch_stdin});
     say("address " + host_->address());
     std::vector<std::string> roles;
     std::vector<bool> external;
@@ -109,10 +122,10 @@ class Session {
       summary_.figures[participant.role];
     }
     for (const proto::Hello& hello : host_->admit(roles, external)) check_hello(hello);
-    if (scene_.needs_fluid()) fluid_.emplace(*host_, "fluid", run, ledger_);
-    if (scene_.needs_dem()) dem_.emplace(*host_, "dem", run, ledger_);
+    if (scene_.needs_fluid()) fluid_.emplace(*host_, "fluid", number_, ledger_);
+    if (scene_.needs_dem()) dem_.emplace(*host_, "dem", number_, ledger_);
     run_ = std::make_unique<Run>(scene_, Participants{fluid_ ? &*fluid_ : nullptr, dem_ ? &*dem_ : nullptr},
-                                 options_.folder, run, ledger_);
+                                 options_.folder, number_, ledger_);
     run_->on_progress = ProgressPrinter();
   }
 
@@ -127,8 +140,9 @@ class Session {
   }
 
   void march() {
-    if (options_.resume) {
-      run_->resume(mesh_);
+    if (checkpoint_) {
+      run_->resume(mesh_, *checkpoint_);
+      checkpoint_.reset();  // it can be large
     } else {
       run_->start(mesh_);
     }
@@ -144,6 +158,7 @@ class Session {
 
   void finish() {
     if (summary_.status != "completed") log::error("{}", summary_.reason);
+    if (options_.resume && !began_) return;  // refused: the summary is still that of the run before
     if (host_) {
       const std::string goodbye = summary_.status == "completed" ? "the run is complete" : summary_.reason;
       for (auto& [role, figures] : host_->dismiss(goodbye)) summary_.figures[role] = std::move(figures);
@@ -187,6 +202,9 @@ class Session {
   Ledger ledger_;
   scene::Scene scene_;
   Plan plan_;
+  const std::uint64_t number_ = random_run_number();
+  std::optional<Checkpoint> checkpoint_;  ///< to resume from
+  bool began_ = false;
   MeshFile mesh_;
   std::unique_ptr<proto::Host> host_;
   std::optional<RemoteFluid> fluid_;

@@ -22,7 +22,11 @@ struct Time {
 
   void declare(ParameterVisitor& v) {
     v.boolean({"steady", "", "true: one steady solve, no time loop"}, steady);
-    v.real({"step", "s", "time step Δt; needed unless steady"}, step, not_negative());
+    v.real(
+        {"step", "s",
+         "largest time step Δt; the steps to each output time and to the end are equal and hit it exactly; "
+         "needed unless steady"},
+        step, not_negative());
     v.real({"end", "s", "time at which the run ends; needed unless steady"}, end, not_negative());
     v.integer({"max_halvings", "", "how often a step that does not converge is halved before the run ends"},
               max_halvings, between(0, 30));

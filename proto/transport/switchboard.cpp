@@ -113,7 +113,7 @@ void Switchboard::welcome(const std::string& peer, const Hello& hello) {
 
 void Switchboard::refuse(const std::string& peer, const std::string& role, const std::string& reason) {
   if (std::ranges::find(roles_, role) != roles_.end()) refused[role] = reason;
-  log::debug("refused a program for the role {}: {}", role, reason);
+  log::warning("refused a program for the role {}: {}", role, reason);
   send_to(peer, {{options_.run, 0, 0}, Refusal{reason}});
 }
 

@@ -105,6 +105,7 @@ class Coupled(unittest.TestCase):
     def test_a_run_resumed_at_its_checkpoint_has_the_same_history(self):
         run = self.run_toy(checkpoint_every=6)
         history = (run.out / "history.csv").read_bytes()
+        run.forget_its_end()
         with CoupledRun(self.folder, None, resume=True) as resumed:
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertIn("resumed after step 18", resumed.log())
@@ -125,6 +126,40 @@ class Coupled(unittest.TestCase):
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertEqual((run.out / "history.csv").read_bytes(), (whole.out / "history.csv").read_bytes())
 
+    def test_a_run_under_way_is_left_alone_by_a_second_one(self):
+        with CoupledRun(self.folder, toy_scene(step=1e-4, checkpoint_every=50)) as run:
+            run.wait_for(lambda: (run.out / "checkpoint.h5").exists())
+            for options in (["--resume"], ["--scene", run.out / "scene.toml"]):
+                second = run_coupler("--out", run.out, *options)
+                self.assertEqual(second.returncode, 1)
+                self.assertIn("no run is under way is required", second.stderr)
+            self.assertEqual(run.wait(), 0, run.log())
+        self.assertEqual(run.summary["status"], "completed")
+        self.assertEqual(len(run.history), run.summary["steps"])
+
+    def test_a_refused_resume_leaves_the_summary_as_it_was(self):
+        run = self.run_toy(checkpoint_every=6)
+        checkpoint, summary = run.out / "checkpoint.h5", run.out / "summary.json"
+
+        def refuse(sentence, *options):
+            before = summary.read_bytes()
+            refused = run_coupler("--out", run.out, "--resume", *options)
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn(sentence, refused.stderr)
+            self.assertNotIn("address", refused.stdout)
+            self.assertEqual(summary.read_bytes(), before)
+
+        refuse("nothing to resume: the run reached its end")
+        summary.write_text(summary.read_text().replace("completed", "failed"))
+        refuse("keys", "--listen", "tcp://0.0.0.0:*")
+        scene = run.out / "scene.toml"
+        scene.write_text(scene.read_text().replace("1100", "1200"))
+        refuse("a checkpoint of this very scene")
+        checkpoint.write_bytes(checkpoint.read_bytes()[:1000])
+        refuse("checkpoint.h5")
+        checkpoint.unlink()
+        refuse("output.checkpoint_every")
+
     def test_a_disc_settles_through_fluid_server_and_resumes_to_the_same_bits(self):
         with CoupledRun(self.folder, SETTLING_SCENE) as run:
             self.assertEqual(run.wait(), 0, run.log())
@@ -137,6 +172,7 @@ class Coupled(unittest.TestCase):
         self.assertEqual(speeds, sorted(speeds))
         self.assertTrue({"fields.h5", "fields.xdmf"} <= {path.name for path in run.out.iterdir()})
         whole = (run.out / "history.csv").read_bytes()
+        run.forget_its_end()
         with CoupledRun(self.folder, None, resume=True) as resumed:
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertIn("resumed after step 10", resumed.log())

@@ -9,9 +9,10 @@
 
 #include "../temporary_folder.hpp"
 #include "core/error.hpp"
+#include "core/log.hpp"
 #include "fakes.hpp"
-#include "json.hpp"
 #include "output/h5_file.hpp"
+#include "plan.hpp"
 
 namespace fpi {
 namespace {
@@ -248,7 +249,7 @@ TEST_F(RunTest, resumed_at_its_checkpoint_a_run_ends_in_the_same_bits) {
   new_fluid.largest_step = fluid.largest_step;
   FakeDem other_dem = new_dem();
   CoupledRun again(scene, {&new_fluid, &other_dem}, folder.path(), 2, ledger);
-  again.resume({});
+  again.resume({}, read_checkpoint(folder.path(), scene::fingerprint(scene)));
   EXPECT_LT(history_lines(), run.statistics().steps());
   again.march();
   EXPECT_LT(new_fluid.accepts, fluid.accepts);
@@ -267,19 +268,31 @@ TEST_F(RunTest, a_checkpoint_of_another_scene_is_refused) {
   run.march();
   scene::Scene other = scene;
   other.fluid->density = 2;
-  CoupledRun resumed = make_run(other);
-  EXPECT_THROW(resumed.resume({}), Error);
+  EXPECT_NO_THROW(read_checkpoint(folder.path(), scene::fingerprint(scene)));
+  EXPECT_THROW(read_checkpoint(folder.path(), scene::fingerprint(other)), Error);
 }
 
 TEST_F(RunTest, without_a_checkpoint_resuming_says_what_to_do) {
-  const scene::Scene scene = make_scene({disc("ball", "free")});
-  CoupledRun run = make_run(scene);
   try {
-    run.resume({});
+    read_checkpoint(folder.path(), 1);
     FAIL() << "it resumed";
   } catch (const Error& e) {
     EXPECT_NE(std::string(e.what()).find("output.checkpoint_every"), std::string::npos) << e.what();
   }
+}
+
+TEST_F(RunTest, a_step_that_is_changed_to_hit_output_times_is_logged) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  const auto logged = [&](const std::string& name) {
+    log::open("coupler", folder / name, log::Level::error);
+    CoupledRun run = make_run(scene);
+    run.start({});
+    log::flush();
+    return read_text_file(folder / name);
+  };
+  EXPECT_EQ(logged("fits").find("time.step"), std::string::npos);
+  scene.output.interval = 0.24;
+  EXPECT_NE(logged("changed").find("is 0.08 s instead of 0.1 s"), std::string::npos);
 }
 
 TEST_F(RunTest, an_answer_that_does_not_fit_is_an_error_that_says_so) {
@@ -360,15 +373,6 @@ TEST(Plan, names_the_participants_that_the_scene_needs) {
   EXPECT_TRUE(plan.participants[1].external);
   scene.fluid.reset();
   EXPECT_EQ(make_plan(scene).participants.size(), 1u);
-}
-
-TEST(Json, a_summary_says_null_for_a_lost_participant_and_zero_for_one_not_needed) {
-  Summary summary;
-  summary.figures["fluid"] = {};
-  const std::string text = to_json(summary);
-  EXPECT_NE(text.find("\"fluid_server\": null"), std::string::npos) << text;
-  EXPECT_NE(text.find("\"dem_server\": 0"), std::string::npos) << text;
-  EXPECT_NE(text.find("\"status\": \"failed\""), std::string::npos) << text;
 }
 
 }  // namespace
