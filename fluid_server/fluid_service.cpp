@@ -77,10 +77,12 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
   if (!message.state.empty())
     solver_->set_state(from_bytes(message.state, mesh.n_nodes(), mesh.n_vertices()));
   for (const scene::Probe& p : scene_.probes)
-    for (const auto* point : {&p.point, &p.minus})
-      require(point->empty() || solver_->has((Vec2((*point)[0], (*point)[1]))),
-              "the probe \"{}\" must lie in the mesh; ({:g}, {:g}) m does not: move it", p.name, (*point)[0],
-              (*point)[1]);
+    for (const auto* point : {&p.point, &p.minus}) {
+      if (point->empty()) continue;
+      const Vec2 x((*point)[0], (*point)[1]);
+      require(solver_->has(x), "the probe \"{}\" must lie in the mesh; ({:g}, {:g}) m does not: move it",
+              p.name, x.x(), x.y());
+    }
 
   proto::Configured out{.notes = solver_->notes()};
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {

@@ -41,10 +41,8 @@ void System::assemble_cells(const Flow& flow, const Fields& fields, const TimeTe
     for (int i = 0; i < 6; ++i) state.inertia[i] = time.inertia[nodes[i]];
     for (int i = 0; i < 3; ++i) state.p[i] = fields.p[vertices[i]];
 
-    const bool is_cut = cut_index_[k] >= 0;
-    const auto points =
-        is_cut ? std::span<const ElementPoint>(cut_.cut_cells[cut_index_[k]].points) : standard_points();
-    element_system(flow, space_.triangles[c], points, is_cut ? 1 : space_.triangles[c].area, state, element,
+    const auto [points, scale] = quadrature(k);
+    element_system(flow, space_.triangles[c], points, scale, state, element,
                    with_jacobian ? &jacobian : nullptr);
 
     for (int i = 0; i < 6; ++i) {

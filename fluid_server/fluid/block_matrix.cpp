@@ -71,11 +71,4 @@ void BlockMatrix::finish() {
   equations_ = {};
 }
 
-Vector BlockMatrix::multiply(const Vector& x) const {
-  Vector y = Vector::Zero(n_);
-  for (Index c = 0; c < n_; ++c)
-    for (Index k = column_start_[c]; k < column_start_[c + 1]; ++k) y[row_[k]] += values_[k] * x[c];
-  return y;
-}
-
 }  // namespace fpi::fluid

@@ -39,8 +39,6 @@ class BlockMatrix {
   const std::vector<Index>& column_start() const { return column_start_; }
   const std::vector<Index>& row() const { return row_; }
   const double* values() const { return values_.data(); }
-  /// y = A x
-  Vector multiply(const Vector& x) const;
 
  private:
   Index n_;

@@ -1,12 +1,24 @@
 #include "fluid/boundary.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "fluid/element.hpp"
 #include "fluid/quadrature.hpp"
 
 namespace fpi::fluid {
+namespace {
+
+/// The corner of a boundary edge's triangle that is not on the edge.
+Index opposite_vertex(const Mesh& mesh, const BoundaryEdge& b) {
+  const auto& [start, end] = mesh.edges[b.edge];
+  for (Index v : mesh.cells[b.cell])
+    if (v != start && v != end) return v;
+  return -1;
+}
+
+}  // namespace
 
 Boundary::Boundary(const Mesh& mesh, const std::map<std::string, scene::Boundary>& conditions)
     : mesh_(mesh), constraint_(mesh.n_nodes(), Constraint::none), normal_(mesh.n_nodes(), Vec2::Zero()) {
@@ -25,8 +37,6 @@ Boundary::Boundary(const Mesh& mesh, const std::map<std::string, scene::Boundary
     const Type type = static_cast<Type>(kind - scene::Boundary::types.begin());
     const auto& formulas = type == Type::traction ? c.traction : c.velocity;
     parts_.push_back({type, Expression(formulas[0]), Expression(formulas[1]), {}});
-    if (type == Type::velocity || type == Type::traction)
-      is_steady_ = is_steady_ && !parts_.back().x.depends_on_time() && !parts_.back().y.depends_on_time();
   }
   assign_nodes();
   find_slip_normals();
@@ -46,7 +56,8 @@ void Boundary::assign_nodes() {
   }
 }
 
-/// A node between slip sides of different directions cannot move at all.
+/// A node where slip sides meet at more than 30 degrees is a corner and cannot move; else it takes the mean
+/// normal.
 void Boundary::find_slip_normals() {
   for (const BoundaryEdge& b : mesh_.boundary) {
     if (parts_[b.boundary].type != Type::slip) continue;
@@ -55,10 +66,15 @@ void Boundary::find_slip_normals() {
     const Vec2 normal(along.y(), -along.x());
     for (Index node : nodes) {
       if (constraint_[node] == Constraint::both) continue;
-      const bool bends =
-          constraint_[node] == Constraint::normal && std::abs(cross(normal_[node], normal)) > 1e-6;
-      constraint_[node] = bends ? Constraint::both : Constraint::normal;
-      normal_[node] = normal;
+      if (constraint_[node] == Constraint::none) {
+        constraint_[node] = Constraint::normal;
+        normal_[node] = normal;
+      } else if (std::abs(cross(normal_[node], normal)) > 0.5) {
+        constraint_[node] = Constraint::both;
+      } else {
+        const double same_way = std::copysign(1.0, normal_[node].dot(normal));
+        normal_[node] = (normal_[node] + same_way * normal).normalized();
+      }
     }
   }
 }
@@ -76,6 +92,28 @@ void Boundary::impose(double t, Vector& u) const {
         value -= normal_[node].dot(value) * normal_[node];
       }
     }
+}
+
+void Boundary::check_net_flux(double t, const Vector& u) const {
+  double net = 0, gross = 0;
+  for (const BoundaryEdge& b : mesh_.boundary) {
+    if (is_open(b.boundary)) return;
+    const auto nodes = mesh_.edge_nodes(b.edge);
+    const Vec2 start = mesh_.vertices[nodes[0]], along = mesh_.vertices[nodes[1]] - start;
+    const Vec2 inside = mesh_.vertices[opposite_vertex(mesh_, b)] - start;
+    const double outward = cross(along, inside) > 0 ? 1 : -1;
+    const Vec2 mean =
+        (u.segment<2>(2 * nodes[0]) + u.segment<2>(2 * nodes[1]) + 4 * u.segment<2>(2 * nodes[2])) / 6;
+    const double flux =
+        outward * (mean.x() * along.y() - mean.y() * along.x());  // Simpson's rule is exact for P2
+    net += flux;
+    gross += std::abs(flux);
+  }
+  require(std::abs(net) <= 0.01 * gross,
+          "where no boundary is open, as much fluid must enter as leaves; at t = {:g} s a net {:g} m²/s {}: "
+          "give one "
+          "boundary type = \"traction\", or balance the velocities",
+          t, std::abs(net), net > 0 ? "leaves" : "enters");
 }
 
 void Boundary::add_tractions(double t, Vector& load) const {

@@ -28,8 +28,10 @@ class Boundary {
   void impose(double t, Vector& u) const;
   /// Adds ∫ w·t̄ over the traction parts at time t [s] to `load` [N/m].
   void add_tractions(double t, Vector& load) const;
-  /// True where nothing here depends on time.
-  bool is_steady() const { return is_steady_; }
+
+  /// Throws Error where fluid flows in or out (more than 1 % net) although no part is open: nowhere for it to
+  /// go.
+  void check_net_flux(double t, const Vector& u) const;
 
   /// True for a part on which the normal velocity is free, so that the pressure level is known.
   bool is_open(Index boundary) const { return parts_[boundary].type == Type::traction; }
@@ -50,7 +52,6 @@ class Boundary {
   std::vector<Part> parts_;  // of each Mesh::boundary_names
   std::vector<Constraint> constraint_;
   std::vector<Vec2> normal_;
-  bool is_steady_ = true;
 };
 
 }  // namespace fpi::fluid

@@ -1,6 +1,7 @@
 #include "fluid/gmsh.hpp"
 
 #include <charconv>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -145,7 +146,7 @@ void read_entities_4(Words& in, Contents& out) {
   for (std::size_t i = 0; i < n_curves; ++i) {
     const auto tag = in.number<std::int64_t>();
     for (int k = 0; k < 6; ++k) in.number<double>();
-    if (in.count() > 0) out.curve_physical[tag] = in.number<std::int64_t>();
+    if (in.count() > 0) out.curve_physical[tag] = std::abs(in.number<std::int64_t>());  // negative: reversed
     in.skip_line();
   }
 }

@@ -1,8 +1,63 @@
 #include "fluid/interface.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
 #include "fluid/quadrature.hpp"
 
 namespace fpi::fluid {
+namespace {
+
+constexpr double round_off = 1e-9;
+constexpr double farthest = 1e9;  ///< [m], [m/s], [rad/s]: beyond it squares lose what matters
+constexpr int most_samples = 8;
+
+void check_arcs(const Interface& f) {
+  const Index n = f.n_arcs();
+  require(n > 0 && f.end.size() == f.start.size(), "body {}: at least one arc is required; got {}", f.body,
+          n);
+  for (Index a = 0; a < n; ++a)
+    require(f.end[a] > f.start[a] && std::abs(f.start[a]) < 100 &&
+                (a == 0 || std::abs(f.start[a] - f.end[a - 1]) < round_off),
+            "body {}: each arc must start where the one before ends, at angles below 100 rad; arc {} runs "
+            "from {} to {}",
+            f.body, a, f.start[a], f.end[a]);
+  const double turn = f.end.back() - f.start.front();
+  require(std::abs(turn - 2 * std::numbers::pi) < round_off * n,
+          "body {}: the arcs must go once around the circle; they cover {} rad", f.body, turn);
+}
+
+void check_size(const Interface& f) {
+  const double largest = std::max({f.rigid.centre.lpNorm<Eigen::Infinity>(), f.radius, std::abs(f.rigid.spin),
+                                   f.rigid.translation.lpNorm<Eigen::Infinity>()});
+  require(f.radius > 0 && largest < farthest,
+          "body {}: radius, place and velocity must be below {:g} in SI units; got {:g}: did the coupling "
+          "diverge?",
+          f.body, farthest, largest);
+  const std::size_t n = f.sampled.size() / f.start.size();
+  require(n * f.start.size() == f.sampled.size() && n <= most_samples,
+          "body {}: at most {} velocities an arc, the same number on each, are taken; got {} on {} arcs",
+          f.body, most_samples, f.sampled.size(), f.start.size());
+}
+
+}  // namespace
+
+void check(std::span<const Interface> interfaces) {
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    const Interface& f = interfaces[i];
+    check_arcs(f);
+    check_size(f);
+    for (const Interface& other : interfaces.first(i)) {
+      require(other.body != f.body, "each body must come once; body {} comes twice", f.body);
+      const double apart = (other.rigid.centre - f.rigid.centre).norm() + std::abs(other.radius - f.radius);
+      require(apart > 1e-6 * f.radius,
+              "bodies {} and {} lie on top of each other at ({:g}, {:g}) m: move one", other.body, f.body,
+              f.rigid.centre.x(), f.rigid.centre.y());
+    }
+  }
+}
 
 Vec2 Interface::velocity(Index arc, double angle) const {
   if (sampled.empty()) return rigid(disc().at(angle));

@@ -2,6 +2,7 @@
 /// the velocity that the body has there (conventions: arcs are never split, only their quadrature is).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "fluid/cut.hpp"
@@ -23,5 +24,9 @@ struct Interface {
   /// True where both have the same arcs at the same place; velocities may differ.
   bool same_geometry(const Interface& other) const;
 };
+
+/// Throws Error, naming the body, unless the arcs follow one another once around a circle of a sensible size
+/// and the samples fit them; no two bodies may be the same or lie on top of each other.
+void check(std::span<const Interface> interfaces);
 
 }  // namespace fpi::fluid

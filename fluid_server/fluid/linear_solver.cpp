@@ -53,7 +53,6 @@ Factor::Factor(std::shared_ptr<const Analysis> analysis, const BlockMatrix& matr
   const int status = umfpack_di_numeric(matrix.column_start().data(), matrix.row().data(), matrix.values(),
                                         analysis_->handle(), &numeric_, control.data(), info.data());
   is_singular_ = status == UMFPACK_WARNING_singular_matrix;
-  reciprocal_condition_ = info[UMFPACK_RCOND];
   check(status, "factorisation", n_);
 }
 

@@ -32,8 +32,6 @@ class Factor {
   Factor& operator=(const Factor&) = delete;
 
   bool is_singular() const { return is_singular_; }
-  /// Estimate of 1 / condition number, from the pivots.
-  double reciprocal_condition() const { return reciprocal_condition_; }
   /// x with A x = b.
   Vector solve(const Vector& b) const;
 
@@ -42,7 +40,6 @@ class Factor {
   Index n_;
   void* numeric_ = nullptr;
   bool is_singular_ = false;
-  double reciprocal_condition_ = 0;
 };
 
 }  // namespace fpi::fluid

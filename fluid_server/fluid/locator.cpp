@@ -20,9 +20,6 @@ Locator::Locator(const Mesh& mesh) : mesh_(mesh), lower_(mesh.vertices.front()),
   }
   const Vec2 extent = upper_ - lower_;
   bin_ = std::sqrt(extent.x() * extent.y() / mesh.n_cells()) * 1.5;
-  n_x_ = std::max(1, static_cast<int>(extent.x() / bin_));
-  n_y_ = std::max(1, static_cast<int>(extent.y() / bin_));
-
   const auto for_bins = [&](auto&& act) {
     for (Index c = 0; c < mesh_.n_cells(); ++c) {
       const auto [low, high] = bounding_box(mesh_, c);
@@ -30,6 +27,21 @@ Locator::Locator(const Mesh& mesh) : mesh_(mesh), lower_(mesh.vertices.front()),
         for (int i = column(low.x()); i <= column(high.x()); ++i) act(j * n_x_ + i, c);
     }
   };
+  // Long thin triangles fill many bins: then larger bins serve better.
+  for (std::size_t entries = 0, most = 64 + 30 * mesh.cells.size();; bin_ *= 2) {
+    const auto bins_along = [&](double length) {
+      return static_cast<int>(std::clamp(length / bin_, 1.0, 1e4));
+    };
+    n_x_ = bins_along(extent.x());
+    n_y_ = bins_along(extent.y());
+    entries = 0;
+    for (Index c = 0; c < mesh.n_cells() && entries <= most; ++c) {
+      const auto [low, high] = bounding_box(mesh, c);
+      entries += static_cast<std::size_t>(column(high.x()) - column(low.x()) + 1) *
+                 (row(high.y()) - row(low.y()) + 1);
+    }
+    if (entries <= most || n_x_ * n_y_ == 1) break;
+  }
   first_.assign(n_x_ * n_y_ + 1, 0);
   for_bins([&](int bin, Index) { ++first_[bin + 1]; });
   for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];

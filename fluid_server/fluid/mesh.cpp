@@ -34,6 +34,7 @@ std::unordered_map<std::uint64_t, Index> number_edges(Mesh& mesh) {
   std::unordered_map<std::uint64_t, Index> number;
   number.reserve(2 * mesh.cells.size());
   mesh.cell_edges.resize(mesh.cells.size());
+  std::vector<Index> first_vertex;  // from which the first triangle of an edge runs along it
   for (Index c = 0; c < mesh.n_cells(); ++c) {
     for (int k = 0; k < 3; ++k) {
       const Index a = mesh.cells[c][k], b = mesh.cells[c][(k + 1) % 3];
@@ -42,10 +43,16 @@ std::unordered_map<std::uint64_t, Index> number_edges(Mesh& mesh) {
       if (is_new) {
         mesh.edges.push_back({std::min(a, b), std::max(a, b)});
         mesh.edge_cells.push_back({c, -1});
+        first_vertex.push_back(a);
       } else {
         require(mesh.edge_cells[edge][1] == -1,
                 "an edge may have two triangles; the one from ({:g}, {:g}) to ({:g}, {:g}) m has more: "
                 "repair the mesh",
+                mesh.vertices[a].x(), mesh.vertices[a].y(), mesh.vertices[b].x(), mesh.vertices[b].y());
+        require(first_vertex[edge] != a,
+                "the triangles at an edge must lie on either side of it; those from ({:g}, {:g}) to ({:g}, "
+                "{:g}) m "
+                "overlap: repair the mesh",
                 mesh.vertices[a].x(), mesh.vertices[a].y(), mesh.vertices[b].x(), mesh.vertices[b].y());
         mesh.edge_cells[edge][1] = c;
       }

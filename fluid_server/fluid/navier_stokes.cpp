@@ -34,9 +34,11 @@ NavierStokes::NavierStokes(Mesh mesh, Settings settings)
 
 Result NavierStokes::advance(const Request& request) {
   require(request.time_step >= 0, "a time step ≥ 0 s is required; got {}", request.time_step);
+  check(request.interfaces);
   const unsigned k = request.sub_iteration;
+  Result result;
   if (k == 0) {
-    start_step(request);
+    result.newton = start_step(request);
   } else {
     require(last_ && (k == last_->sub_iteration + 1 || k == last_->sub_iteration),
             "sub-iteration {} must follow sub-iteration {}", k, k - 1);
@@ -46,68 +48,85 @@ Result NavierStokes::advance(const Request& request) {
             "differs",
             k);
     if (k == last_->sub_iteration + 1) base_ = current_;
+    result.newton.converged = true;
   }
-  system_->set_velocities(request.interfaces);
   last_ = request;
-  Result result;
+  last_converged_ = false;
+  if (!result.newton.converged) return result;
+  system_->set_velocities(request.interfaces);
   result.newton = solve_step(request);
   if (result.newton.converged) result.tractions = tractions();
+  last_converged_ = result.newton.converged;
   return result;
 }
 
-void NavierStokes::start_step(const Request& request) {
-  if (!system_ || !system_->same_geometry(request.interfaces)) {
+/// Geometry, time terms and the first guess of a step; not converged where no consistent start was found.
+NewtonResult NavierStokes::start_step(const Request& request) {
+  if (accepted_system_ && accepted_system_->same_geometry(request.interfaces)) {
+    system_ = accepted_system_;
+  } else if (!system_ || !system_->same_geometry(request.interfaces)) {
     monitor.phase("interface");
     system_ = std::make_shared<System>(space_, settings_.fluid.embedding, request.interfaces,
                                        settings_.bodies_move, monitor.ledger);
   }
   const bool steady = request.time_step == 0;
-  if (!steady && !accepted_.has_acceleration && settings_.fluid.newmark_gamma < 1 && !settings_.bodies_move)
-    find_initial_acceleration(request);
-
   const Mesh& mesh = space_.mesh;
+  State start = accepted_;
+  NewtonResult result;
+  result.converged = true;
+  if (!steady && !start.has_acceleration && settings_.fluid.newmark_gamma < 1 && !settings_.bodies_move)
+    result = find_consistent_start(request, start);
   if (steady) {
     time_terms_ = TimeTerms::steady(mesh.n_nodes());
   } else {
     // Bodies that move start with backward Euler: their first acceleration is a result of the coupling.
-    const double gamma = accepted_.has_acceleration ? settings_.fluid.newmark_gamma : 1;
+    const double gamma = start.has_acceleration ? settings_.fluid.newmark_gamma : 1;
     const Vector gammas = settings_.bodies_move ? gamma_of_nodes(mesh, system_->cut(), gamma)
                                                 : Vector::Constant(mesh.n_nodes(), gamma);
-    time_terms_ = newmark(accepted_.u, accepted_.acceleration, request.time_step, gammas);
+    time_terms_ = newmark(start.u, start.acceleration, request.time_step, gammas);
   }
   system_->set_load(request.time, body_force_);
-  base_.fields = {accepted_.u + request.time_step * accepted_.acceleration, accepted_.p,
+  // A start from rest into a given inflow has an acceleration that no guess should follow for a whole step.
+  const double ahead = accepted_.has_acceleration ? request.time_step : 0;
+  base_.fields = {start.u + ahead * start.acceleration, start.p,
                   Vector::Zero(2 * system_->cut().n_multipliers())};
-  const bool factor_fits = system_ == accepted_system_ && request.time_step == accepted_time_step_;
+  // The matrix depends on geometry and inertia; a linear problem trusts a factor that fits.
+  const bool factor_fits = system_ == accepted_system_ &&
+                           accepted_inertia_.size() == time_terms_.inertia.size() &&
+                           accepted_inertia_ == time_terms_.inertia;
   base_.factor = factor_fits ? accepted_factor_ : nullptr;
+  return result;
 }
 
 /// Two backward Euler steps of vanishing length: the first makes the velocity divergence-free and has it meet
 /// the boundaries, the second finds the acceleration that the equations and the boundaries then ask for.
-void NavierStokes::find_initial_acceleration(const Request& request) {
+NewtonResult NavierStokes::find_consistent_start(const Request& request, State& start) {
   const double tiny = 1e-6 * request.time_step;
   const Vector ones = Vector::Ones(space_.mesh.n_nodes());
   system_->set_velocities(request.interfaces);
-  Iterate iterate{{accepted_.u, accepted_.p, Vector::Zero(2 * system_->cut().n_multipliers())}, nullptr};
-  for (const double t : {accepted_.time, accepted_.time + tiny}) {
-    const Vector before = iterate.fields.u;
-    const TimeTerms terms = newmark(before, accepted_.acceleration, tiny, ones);
+  Iterate iterate{{start.u, start.p, Vector::Zero(2 * system_->cut().n_multipliers())}, nullptr};
+  NewtonResult result;
+  for (const double t : {start.time, start.time + tiny}) {
+    start.u = iterate.fields.u;
+    const TimeTerms terms = newmark(start.u, start.acceleration, tiny, ones);
     system_->set_load(t, body_force_);
     space_.boundary.impose(t, iterate.fields.u);
-    const NewtonResult result = solve(*system_, flow_, terms, settings_.fluid.newton, iterate, monitor);
-    require(result.converged,
-            "a consistent initial acceleration was not found: {}: start from a smoother state",
-            result.reason);
-    accepted_.u = before;
-    if (t > accepted_.time) accepted_.acceleration = terms.acceleration(iterate.fields.u);
+    result = solve(*system_, flow_, terms, settings_.fluid.newton, iterate, monitor);
+    if (!result.converged) {
+      result.reason = "no consistent initial acceleration was found: " + result.reason;
+      return result;
+    }
+    if (t > start.time) start.acceleration = terms.acceleration(iterate.fields.u);
   }
-  accepted_.p = iterate.fields.p;
-  accepted_.has_acceleration = true;
+  start.p = iterate.fields.p;
+  start.has_acceleration = true;
+  return result;
 }
 
 NewtonResult NavierStokes::solve_step(const Request& request) {
   current_ = base_;
   space_.boundary.impose(request.time, current_.fields.u);
+  space_.boundary.check_net_flux(request.time, current_.fields.u);
   for (Index v : system_->numbering().pinned) current_.fields.p[v] = 0;
   if (request.time_step == 0 && flow_.convection && request.sub_iteration == 0) {
     Flow stokes = flow_;
@@ -135,17 +154,21 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
     out[i].force = resultants[i].force - flow_.density * area * settings_.gravity;
     out[i].torque = resultants[i].torque;
     out[i].arc_length = arc_length(interface.disc());
+    require(out[i].arc_length > 0,
+            "body {} must stay in the mesh; its circle at ({:g}, {:g}) m meets no element: end the "
+            "run earlier or make the mesh larger",
+            interface.body, interface.rigid.centre.x(), interface.rigid.centre.y());
   }
   return out;
 }
 
-/// Velocity of the body at a node that it covers.
-Vec2 NavierStokes::body_velocity(const System& system, const CoveredNode& covered) const {
-  return system.interfaces()[covered.interface].rigid(space_.mesh.node_position(covered.node));
+/// Velocity of the accepted body at a node that it covers.
+Vec2 NavierStokes::body_velocity(const CoveredNode& covered) const {
+  return accepted_interfaces_[covered.interface].rigid(space_.mesh.node_position(covered.node));
 }
 
 void NavierStokes::accept() {
-  require(last_.has_value(), "accept must follow an advance");
+  require(last_ && last_converged_, "accept must follow an advance that converged");
   const Fields& fields = current_.fields;
   if (settings_.measure_boundaries) measure_boundaries();
   accepted_.time = last_->time;
@@ -153,14 +176,15 @@ void NavierStokes::accept() {
   accepted_.has_acceleration = last_->time_step > 0;
   accepted_.u = fields.u;
   accepted_.p = fields.p;
+  accepted_interfaces_ = system_->interfaces();
   // What bodies cover moves with them, so that a node they uncover has a history.
   for (const CoveredNode& covered : system_->cut().covered) {
     if (system_->numbering().node_is_active[covered.node]) continue;
-    accepted_.u.segment<2>(2 * covered.node) = body_velocity(*system_, covered);
+    accepted_.u.segment<2>(2 * covered.node) = body_velocity(covered);
     accepted_.acceleration.segment<2>(2 * covered.node).setZero();
   }
   accepted_factor_ = current_.factor;
-  accepted_time_step_ = last_->time_step;
+  accepted_inertia_ = time_terms_.inertia;
   accepted_system_ = system_;
   last_.reset();
 }
@@ -174,6 +198,7 @@ void NavierStokes::set_state(State state) {
   accepted_ = std::move(state);
   system_.reset();
   accepted_system_.reset();
+  accepted_interfaces_.clear();
   drop_caches();
 }
 
@@ -198,13 +223,15 @@ Vector NavierStokes::velocity_with_bodies() const {
   Vector u = accepted_.u;
   if (accepted_system_)
     for (const CoveredNode& covered : accepted_system_->cut().covered)
-      u.segment<2>(2 * covered.node) = body_velocity(*accepted_system_, covered);
+      u.segment<2>(2 * covered.node) = body_velocity(covered);
   return u;
 }
 
 std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
   const Index c = space_.locator.find(x);
   if (c < 0 || (accepted_system_ && !accepted_system_->cut().is_active(c))) return std::nullopt;
+  for (const Interface& interface : accepted_interfaces_)  // a point on the circle itself is in the fluid
+    if ((x - interface.rigid.centre).norm() < (1 - 1e-6) * interface.radius) return std::nullopt;
   const auto l = space_.triangles[c].barycentric(x);
   const Padded n = p2_at(l);
   const auto nodes = space_.mesh.cell_nodes(c);

@@ -70,7 +70,8 @@ class NavierStokes {
   bool has(const Vec2& x) const { return space_.locator.find(x) >= 0; }
   /// Velocity [m/s] and pressure [Pa] of the accepted state; nothing inside a body or outside the mesh.
   std::optional<std::pair<Vec2, double>> at(const Vec2& x) const;
-  /// Force of the fluid on each named boundary that holds it, as of the last accept [N/m].
+  /// Force of the fluid on each named boundary that holds it, as of the last accept [N/m]; like the
+  /// pressure without its hydrostatic part.
   const std::vector<std::pair<std::string, Vec2>>& boundary_forces() const { return boundary_forces_; }
   /// What this scene does not need, as sentences.
   std::vector<std::string> notes() const;
@@ -78,11 +79,11 @@ class NavierStokes {
   Monitor monitor;
 
  private:
-  void start_step(const Request& request);
-  void find_initial_acceleration(const Request& request);
+  NewtonResult start_step(const Request& request);
+  NewtonResult find_consistent_start(const Request& request, State& start);
   NewtonResult solve_step(const Request& request);
   std::vector<BodyTraction> tractions() const;
-  Vec2 body_velocity(const System& system, const CoveredNode& covered) const;
+  Vec2 body_velocity(const CoveredNode& covered) const;
   void measure_boundaries();
 
   Settings settings_;
@@ -94,12 +95,13 @@ class NavierStokes {
 
   std::shared_ptr<System> system_;  // of the last geometry asked for
   TimeTerms time_terms_;
-  double time_step_ = -1;   // that the factor belongs to
   Iterate base_, current_;  // before and after the last sub-iteration
   std::shared_ptr<const Factor> accepted_factor_;
-  double accepted_time_step_ = -1;
+  Vector accepted_inertia_;  // that this factor was made with
   std::shared_ptr<System> accepted_system_;
+  std::vector<Interface> accepted_interfaces_;
   std::optional<Request> last_;  // nothing since the last accept or restore
+  bool last_converged_ = false;
 };
 
 }  // namespace fpi::fluid

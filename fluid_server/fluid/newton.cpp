@@ -42,7 +42,8 @@ NewtonResult solve(System& system, const Flow& flow, const TimeTerms& time, cons
       iterate.factor = std::make_shared<Factor>(system.analysis(), system.matrix());
       if (iterate.factor->is_singular()) {
         iterate.factor.reset();
-        result.reason = "the matrix is singular";
+        result.reason =
+            "the matrix is singular (arcs far shorter than the elements, or bodies on top of each other?)";
         return result;
       }
     }
@@ -53,15 +54,16 @@ NewtonResult solve(System& system, const Flow& flow, const TimeTerms& time, cons
       ledger.counts["solves"] += 1;
       update = iterate.factor->solve(residual);
     }
-    if (!update.allFinite()) {
-      iterate.factor.reset();
-      result.reason = "the solution is not finite";
-      return result;
-    }
     const Vector before = iterate.fields.u;
     system.add(update, -1, iterate.fields);
     const double change = (iterate.fields.u - before).norm();
     const double size = iterate.fields.u.norm();
+    if (!std::isfinite(change) || !std::isfinite(size) || !iterate.fields.p.allFinite() ||
+        !iterate.fields.lambda.allFinite()) {
+      iterate.factor.reset();
+      result.reason = "the solution is not finite";
+      return result;
+    }
     result.update = size > 0 ? change / size : 0;
     if (!flow.convection || change <= parameters.relative_tolerance * size ||
         change <= round_off_velocity(flow, time, iterate.fields, system.smallest_size())) {

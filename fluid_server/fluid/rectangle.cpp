@@ -8,12 +8,18 @@
 namespace fpi::fluid {
 namespace {
 
+constexpr double most_lines = 1e5, most_cells = 1e7;
+
 /// Distances 0 = d0 < d1 < … = length that start near `first` and grow by `growth` up to `largest`.
 std::vector<double> growing_distances(double length, double first, double growth, double largest) {
   std::vector<double> d{0};
   if (length <= 0) return d;
   double step = first;
   while (d.back() < length) {
+    require(
+        d.size() < most_lines,
+        "at most {:g} grid lines along a side are taken; the cell size {:g} m asks for more: make it larger",
+        most_lines, first);
     step = std::min(step * growth, largest);
     d.push_back(d.back() + step);
   }
@@ -42,6 +48,10 @@ std::vector<double> graded_lines(double lower, double upper, double fine_lower, 
   if (largest <= 0) largest = upper - lower;
   const auto below = growing_distances(fine_lower - lower, cell_size, growth, largest);
   const auto above = growing_distances(upper - fine_upper, cell_size, growth, largest);
+  require(
+      (fine_upper - fine_lower) / cell_size < most_lines,
+      "at most {:g} grid lines along a side are taken; the cell size {:g} m asks for more: make it larger",
+      most_lines, cell_size);
   const Index n_fine =
       std::max<Index>(1, static_cast<Index>(std::lround((fine_upper - fine_lower) / cell_size)));
 
@@ -57,6 +67,9 @@ std::vector<double> graded_lines(double lower, double upper, double fine_lower, 
 Mesh make_rectangle(const std::vector<double>& x, const std::vector<double>& y) {
   const Index nx = static_cast<Index>(x.size()) - 1, ny = static_cast<Index>(y.size()) - 1;
   require(nx >= 1 && ny >= 1, "a rectangle needs at least one cell each way; got {} × {}", nx, ny);
+  require(static_cast<double>(nx) * ny <= most_cells,
+          "at most {:g} cells of two triangles are taken; got {} × {}: make the cells larger", most_cells, nx,
+          ny);
   const auto vertex = [&](Index i, Index j) { return j * (nx + 1) + i; };
 
   std::vector<Vec2> vertices;

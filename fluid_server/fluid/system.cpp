@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/error.hpp"
 #include "fluid/quadrature.hpp"
 
 namespace fpi::fluid {
@@ -75,6 +76,8 @@ System::System(const Space& space, const scene::Embedding& embedding, std::vecto
   smallest_size_ = space.mesh.size(0);
   for (const Triangle& triangle : space.triangles)
     smallest_size_ = std::min(smallest_size_, std::sqrt(2 * triangle.area));
+  require(numbering_.n_equations > 0,
+          "a part of the mesh must be fluid; the bodies cover all of it: make them smaller");
   load_ = Vector::Zero(2 * space.mesh.n_nodes());
   declare_blocks();
   set_velocities(interfaces_);
@@ -141,16 +144,18 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
   }
 }
 
+System::CellQuadrature System::quadrature(std::size_t k) const {
+  if (cut_index_[k] >= 0) return {cut_.cut_cells[cut_index_[k]].points, 1};
+  return {standard_points(), space_.triangles[active_cells_[k]].area};
+}
+
 void System::set_load(double t, const std::array<Expression, 2>& body_force) {
   load_.setZero();
   space_.boundary.add_tractions(t, load_);
   if (body_force[0].is_zero() && body_force[1].is_zero()) return;
   for (std::size_t k = 0; k < active_cells_.size(); ++k) {
     const Index c = active_cells_[k];
-    const bool is_cut = cut_index_[k] >= 0;
-    const auto points =
-        is_cut ? std::span<const ElementPoint>(cut_.cut_cells[cut_index_[k]].points) : standard_points();
-    const double scale = is_cut ? 1 : space_.triangles[c].area;
+    const auto [points, scale] = quadrature(k);
     const auto nodes = space_.mesh.cell_nodes(c);
     for (const ElementPoint& point : points) {
       const Vec2 x = space_.triangles[c].point(point.shape.l);

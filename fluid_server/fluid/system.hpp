@@ -92,6 +92,12 @@ class System {
   void assemble_ghost(const Flow& flow, const Fields& fields, const TimeTerms& time,
                       const Vector& acceleration, Residual& residual, bool with_jacobian);
   void assemble_arcs(const Fields& fields, Residual& residual, bool with_jacobian);
+  /// Quadrature of the k-th active cell, and what its weights are to be multiplied by.
+  struct CellQuadrature {
+    std::span<const ElementPoint> points;
+    double scale;
+  };
+  CellQuadrature quadrature(std::size_t k) const;
   bool has_slip_node(std::span<const Index> nodes) const;
   void rotate_slip(std::span<const Index> nodes, int first_x, int first_y, int n, double* dense) const;
 

@@ -46,11 +46,19 @@ struct RandomBlocks {
   }
 };
 
+Vector multiply(const BlockMatrix& matrix, const Vector& x) {
+  Vector y = Vector::Zero(matrix.n());
+  for (Index c = 0; c < matrix.n(); ++c)
+    for (Index k = matrix.column_start()[c]; k < matrix.column_start()[c + 1]; ++k)
+      y[matrix.row()[k]] += matrix.values()[k] * x[c];
+  return y;
+}
+
 TEST(BlockMatrix, is_the_sum_of_its_blocks_without_masked_and_absent_entries) {
   const RandomBlocks r;
   for (int j = 0; j < RandomBlocks::n; ++j) {
     const Vector unit = Vector::Unit(RandomBlocks::n, j);
-    EXPECT_LT((r.matrix.multiply(unit) - r.dense.col(j)).norm(), 1e-14);
+    EXPECT_LT((multiply(r.matrix, unit) - r.dense.col(j)).norm(), 1e-14);
   }
 }
 

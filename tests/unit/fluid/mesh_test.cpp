@@ -44,6 +44,7 @@ TEST(Mesh, faults_are_refused_with_the_place) {
   EXPECT_THROW(make_mesh(vertices, {{0, 1, 2}}, {{{0, 1}, 0}}, {"a"}), Error);  // unnamed sides
   EXPECT_THROW(make_mesh(vertices, {{0, 1, 2}}, {{{0, 3}, 0}}, {"a"}), Error);  // a side of no triangle
   EXPECT_THROW(make_mesh(vertices, {{0, 1, 2}, {0, 1, 2}, {0, 1, 2}}, {}, {}), Error);
+  EXPECT_THROW(make_mesh(vertices, {{0, 1, 2}, {0, 1, 2}}, {}, {}), Error);  // one on the other
 }
 
 TEST(Mesh, graded_lines_keep_the_fine_size_and_grow_by_the_ratio) {
@@ -63,6 +64,12 @@ TEST(Mesh, graded_lines_keep_the_fine_size_and_grow_by_the_ratio) {
       EXPECT_GT(ratio, 1 / 1.5);
     }
   }
+}
+
+TEST(Mesh, cells_beyond_all_measure_are_refused) {
+  EXPECT_THROW(graded_lines(0, 1, 0, 1, 1e-9, 1.2, 0), Error);
+  EXPECT_THROW(graded_lines(0, 1, 0, 0.1, 2e-6, 1, 2e-6), Error);
+  EXPECT_THROW(make_rectangle(uniform_lines(0, 1, 5000), uniform_lines(0, 1, 5000)), Error);
 }
 
 TEST(Locator, finds_the_triangle_of_every_point) {

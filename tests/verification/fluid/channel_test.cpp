@@ -76,6 +76,21 @@ TEST(Channel, wall_forces_balance_the_pressure_drop) {
   EXPECT_NEAR(walls, shear - 2 * inlet_pressure * (1.0 / 5) / 6, 1e-11);
 }
 
+TEST(Channel, an_inlet_without_an_outlet_is_refused_with_the_net_flux) {
+  auto s = settings(1, 1,
+                    {{"left", velocity("4*y*(1-y)", "0")},
+                     {"right", no_slip()},
+                     {"bottom", no_slip()},
+                     {"top", no_slip()}});
+  NavierStokes solver(square(4), s);
+  try {
+    solve_steady(solver);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("a net 0.666667 m²/s enters"), std::string::npos) << e.what();
+  }
+}
+
 TEST(StillFluid, stays_still_around_a_held_body_which_feels_its_buoyancy) {
   auto s = settings(1000, 1e-3,
                     {{"left", no_slip()}, {"right", no_slip()}, {"bottom", no_slip()}, {"top", no_slip()}});

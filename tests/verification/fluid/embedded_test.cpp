@@ -102,6 +102,66 @@ TEST(Embedded, advance_is_pure_and_restore_is_bitwise) {
   }
 }
 
+TEST(Embedded, a_restored_first_step_leaves_nothing_behind) {
+  auto s = settings(
+      1, 0.1,
+      {{"left", velocity("t*y*(1-y)", "0")}, {"right", open()}, {"bottom", no_slip()}, {"top", no_slip()}});
+  const std::vector<Interface> disc{circle(0, {0.4, 0.5}, 0.15, 1.0 / 12)};
+  NavierStokes fresh(square(12), s), restored(square(12), s);
+  const Result detour = restored.advance({0.2, 0.2, 0, disc});
+  ASSERT_TRUE(detour.newton.converged) << detour.newton.reason;
+  restored.restore();
+  const Result a = fresh.advance({0.05, 0.05, 0, disc}), b = restored.advance({0.05, 0.05, 0, disc});
+  EXPECT_EQ(a.tractions[0].force, b.tractions[0].force);
+  EXPECT_EQ(a.tractions[0].lambda, b.tractions[0].lambda);
+}
+
+TEST(Embedded, a_linear_flow_trusts_no_factor_of_another_time_scheme) {
+  auto s = settings(1, 0.1,
+                    {{"left", no_slip()}, {"right", no_slip()}, {"bottom", no_slip()}, {"top", no_slip()}});
+  s.fluid.convection = false;
+  s.bodies_move = true;  // backward Euler first, then γ = ½ away from the body
+  Interface disc = circle(0, {0.52, 0.47}, 0.2, 1.0 / 12);
+  disc.rigid.spin = 1;
+  NavierStokes solver(square(12), s);
+  for (int step = 1; step <= 3; ++step) {
+    const Result once = solver.advance({0.01 * step, 0.01, 0, {disc}});
+    const Result twice = solver.advance({0.01 * step, 0.01, 1, {disc}});
+    EXPECT_LT((once.tractions[0].force - twice.tractions[0].force).norm(), 1e-10) << step;
+    solver.accept();
+  }
+}
+
+TEST(Embedded, interfaces_that_make_no_sense_are_refused_with_the_body) {
+  auto s = settings(1, 0.1,
+                    {{"left", no_slip()}, {"right", no_slip()}, {"bottom", no_slip()}, {"top", no_slip()}});
+  NavierStokes solver(square(8), s);
+  const Interface good = circle(3, {0.5, 0.5}, 0.2, 1.0 / 8);
+  const auto refused = [&](std::vector<Interface> bodies) {
+    try {
+      solver.advance({0.1, 0.1, 0, std::move(bodies)});
+    } catch (const Error& e) {
+      return std::string(e.what()).find('3') != std::string::npos;
+    }
+    return false;
+  };
+  Interface gap = good, twice = good, huge = good, far = good, again = good;
+  gap.start.pop_back();
+  gap.end.pop_back();
+  twice.start.insert(twice.start.end(), good.start.begin(), good.start.end());
+  twice.end.insert(twice.end.end(), good.end.begin(), good.end.end());
+  huge.rigid.translation = {1e155, 0};
+  far.rigid.centre = {5, 5};
+  again.body = 4;
+  EXPECT_TRUE(refused({gap}));
+  EXPECT_TRUE(refused({twice}));
+  EXPECT_TRUE(refused({huge}));
+  EXPECT_TRUE(refused({far}));
+  EXPECT_TRUE(refused({good, again}));
+  EXPECT_TRUE(refused({good, good}));
+  EXPECT_FALSE(refused({good}));
+}
+
 TEST(Embedded, a_stokes_scene_with_held_bodies_takes_one_factorisation) {
   auto s = settings(
       1, 1,
