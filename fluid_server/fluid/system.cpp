@@ -73,9 +73,6 @@ System::System(const Space& space, const scene::Embedding& embedding, std::vecto
     active_cells_.push_back(c);
     cut_index_.push_back(cut_number[c]);
   }
-  smallest_size_ = space.mesh.size(0);
-  for (const Triangle& triangle : space.triangles)
-    smallest_size_ = std::min(smallest_size_, std::sqrt(2 * triangle.area));
   require(numbering_.n_equations > 0,
           "a part of the mesh must be fluid; the bodies cover all of it: make them smaller");
   load_ = Vector::Zero(2 * space.mesh.n_nodes());

@@ -74,7 +74,7 @@ class System {
   void add(const Vector& update, double step, Fields& fields) const;
 
   /// Size h of the smallest element [m].
-  double smallest_size() const { return smallest_size_; }
+  double smallest_size() const { return space_.smallest_size; }
   const BlockMatrix& matrix() const { return matrix_; }
   std::shared_ptr<const Analysis> analysis();
 
@@ -118,7 +118,6 @@ class System {
   std::vector<GhostFace> ghosts_;
   std::vector<PieceIntegrals> pieces_;
   Vector load_;
-  double smallest_size_ = 0;
   Index first_ghost_ = 0, first_piece_ = 0;  // block numbers
   BlockMatrix matrix_;
   std::shared_ptr<const Analysis> analysis_;
