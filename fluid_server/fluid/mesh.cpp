@@ -72,6 +72,7 @@ Mesh make_mesh(std::vector<Vec2> vertices, std::vector<std::array<Index, 3>> cel
   mesh.boundary_names = std::move(boundary_names);
   orient(mesh);
   const auto number = number_edges(mesh);
+  for (Index e = 0; e < mesh.n_edges(); ++e) mesh.middles.push_back(mesh.chord_middle(e));
 
   std::vector<Index> boundary_of(mesh.edges.size(), -1);
   for (const NamedEdge& named : named_edges) {

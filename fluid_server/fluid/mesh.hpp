@@ -1,5 +1,6 @@
-/// The fixed Eulerian mesh: straight triangles with numbered edges and a named outer boundary. P2 nodes are
-/// the vertices followed by the middles of the edges (paper, figure 4); P1 nodes are the vertices.
+/// The fixed Eulerian mesh: triangles with numbered edges and a named outer boundary. P2 nodes are the
+/// vertices followed by the middles of the edges (paper, figure 4); P1 nodes are the vertices. An edge whose
+/// middle node lies off its chord is a parabola, and its triangles are isoparametric (P2 geometry).
 #pragma once
 
 #include <array>
@@ -20,6 +21,7 @@ struct Mesh {
   std::vector<Vec2> vertices;                    ///< [m]
   std::vector<std::array<Index, 3>> cells;       ///< vertices, counter-clockwise
   std::vector<std::array<Index, 2>> edges;       ///< vertices, the smaller number first
+  std::vector<Vec2> middles;                     ///< of each edge: place of its middle node [m]
   std::vector<std::array<Index, 3>> cell_edges;  ///< edges 01, 12, 20 of each cell
   std::vector<std::array<Index, 2>> edge_cells;  ///< one or two cells; -1 outside
   std::vector<BoundaryEdge> boundary;
@@ -42,14 +44,20 @@ struct Mesh {
     return {vertices[v[0]], vertices[v[1]], vertices[v[2]]};
   }
   Vec2 node_position(Index node) const {
-    if (node < n_vertices()) return vertices[node];
-    const auto& e = edges[node - n_vertices()];
-    return 0.5 * (vertices[e[0]] + vertices[e[1]]);
+    return node < n_vertices() ? vertices[node] : middles[node - n_vertices()];
+  }
+  Vec2 chord_middle(Index edge) const { return 0.5 * (vertices[edges[edge][0]] + vertices[edges[edge][1]]); }
+  /// Straight edges have their middle on the chord to the bit.
+  bool is_curved_edge(Index edge) const { return middles[edge] != chord_middle(edge); }
+  bool is_curved(Index cell) const {
+    const auto& e = cell_edges[cell];
+    return is_curved_edge(e[0]) || is_curved_edge(e[1]) || is_curved_edge(e[2]);
   }
   /// P2 nodes of an edge: its vertices and its middle.
   std::array<Index, 3> edge_nodes(Index edge) const {
     return {edges[edge][0], edges[edge][1], n_vertices() + edge};
   }
+  /// Of the triangle through the corners [m²].
   double area(Index cell) const {
     const auto c = corners(cell);
     return 0.5 * cross(c[1] - c[0], c[2] - c[0]);
