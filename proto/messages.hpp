@@ -14,7 +14,7 @@
 
 namespace fpi::proto {
 
-inline constexpr std::uint32_t protocol_version = 1;
+inline constexpr std::uint32_t protocol_version = 2;
 
 using Vec3 = std::array<double, 3>;
 using Bytes = std::vector<std::uint8_t>;
@@ -95,6 +95,7 @@ struct FluidAdvance {
   double time = 0;       ///< [s] at the end of the step
   double time_step = 0;  ///< [s]; 0 asks for the steady state
   std::vector<Interface> interfaces{};
+  bool same_interfaces = false;  ///< they are those of the last accepted step, and none are sent
 };
 /// λ on the arcs or edges of a body, and what it adds up to.
 struct Traction {
@@ -109,7 +110,9 @@ struct FluidAdvanced {
   std::string reason{};  ///< why not
   std::vector<Traction> tractions{};
   std::uint32_t newton_iterations = 0;
-  double residual = 0;  ///< last relative Newton update
+  double residual = 0;          ///< last relative Newton update
+  double time_error = 0;        ///< estimated for this step, relative to the velocity; 0: not said
+  double time_error_order = 0;  ///< power of the time step that it goes with; 0: not said
 };
 
 /// What a body feels besides gravity and contact.
@@ -156,12 +159,22 @@ struct Field {
   std::uint32_t components = 1;
   std::vector<double> values{};
 };
+/// Values along a named curve. Its lines are quadratic, or straight from point to point where none are given.
+struct Curve {
+  std::string name{};
+  std::vector<double> points{};        ///< [m] x, y, z of each
+  std::vector<std::uint32_t> lines{};  ///< 3 points each: both ends, then the middle
+  std::uint32_t components = 1;
+  std::vector<double> values{};  ///< components of each point, one after another
+};
 /// Points x, y, z and quadratic triangles (three corners, then the middles of sides 01, 12, 20).
 struct Fields {
   double time = 0;
   std::vector<double> points{};
   std::vector<std::uint32_t> cells{};  ///< 6 each
   std::vector<Field> fields{};
+  std::vector<Curve> boundaries{};  ///< traction [Pa] of the fluid, x, y, at the nodes of fitted boundaries
+  std::vector<Curve> profiles{};    ///< the quantity of each [[profiles]]
 };
 struct Checkpoint {};
 struct State {

@@ -91,6 +91,8 @@ void rules(const Place& at, const Interface& mesh) {
 
 void rules(const Place& at, const FluidAdvance& advance) {
   demand(advance.time_step >= 0, at, "time_step", ">= 0 s", advance.time_step);
+  demand(!advance.same_interfaces || advance.interfaces.empty(), at, "interfaces",
+         "empty where same_interfaces is set", advance.interfaces.size());
 }
 
 void rules(const Place& at, const Traction& traction) {
@@ -100,6 +102,8 @@ void rules(const Place& at, const Traction& traction) {
 
 void rules(const Place& at, const FluidAdvanced& advanced) {
   demand(advanced.residual >= 0, at, "residual", ">= 0", advanced.residual);
+  demand(advanced.time_error >= 0, at, "time_error", ">= 0", advanced.time_error);
+  demand(advanced.time_error_order >= 0, at, "time_error_order", ">= 0", advanced.time_error_order);
 }
 
 void rules(const Place& at, const Load& load) {
@@ -122,13 +126,28 @@ void rules(const Place& at, const Field& field) {
          fmt::format("a multiple of components ({})", field.components), field.values.size());
 }
 
+void indices_below(std::size_t n_points, const Place& at, std::string_view member,
+                   const std::vector<std::uint32_t>& indices) {
+  const auto largest = std::max_element(indices.begin(), indices.end());
+  if (largest != indices.end())
+    demand(*largest < n_points, at, member, fmt::format("indices below the {} points", n_points), *largest);
+}
+
+void rules(const Place& at, const Curve& curve) {
+  demand(curve.points.size() % 3 == 0, at, "points", "x, y, z of each point", curve.points.size());
+  demand(curve.lines.size() % 3 == 0, at, "lines", "3 indices each", curve.lines.size());
+  const std::size_t n_points = curve.points.size() / 3;
+  indices_below(n_points, at, "lines", curve.lines);
+  demand(curve.components > 0, at, "components", "> 0", curve.components);
+  demand(curve.values.size() == n_points * curve.components, at, "values",
+         fmt::format("{} numbers", n_points * curve.components), curve.values.size());
+}
+
 void rules(const Place& at, const Fields& fields) {
   demand(fields.points.size() % 3 == 0, at, "points", "x, y, z of each point", fields.points.size());
   demand(fields.cells.size() % 6 == 0, at, "cells", "6 indices each", fields.cells.size());
   const std::size_t n_points = fields.points.size() / 3, n_cells = fields.cells.size() / 6;
-  const auto largest = std::max_element(fields.cells.begin(), fields.cells.end());
-  if (largest != fields.cells.end())
-    demand(*largest < n_points, at, "cells", fmt::format("indices below the {} points", n_points), *largest);
+  indices_below(n_points, at, "cells", fields.cells);
   if (n_points == 0) return;  // the mesh went with an earlier message
   for (const Field& field : fields.fields) {
     const std::size_t wanted = (field.on_cells ? n_cells : n_points) * field.components;

@@ -89,6 +89,10 @@ Load unpack(Reader& r, const wire::Load* w) {
 Field unpack(Reader& r, const wire::Field* w) {
   return {r.text(w->name()), w->on_cells(), w->components(), r.numbers(w->values())};
 }
+Curve unpack(Reader& r, const wire::Curve* w) {
+  return {r.text(w->name()), r.numbers(w->points()), r.numbers(w->lines()), w->components(),
+          r.numbers(w->values())};
+}
 
 // ---- messages -----------------------------------------------------------------------------------
 
@@ -106,10 +110,11 @@ Configured unpack(Reader& r, const wire::Configured* w) {
   return {r.list(w->arc_lengths()), w->resolved_gap(), r.list(w->notes()), r.list(w->figures())};
 }
 FluidAdvance unpack(Reader& r, const wire::FluidAdvance* w) {
-  return {w->time(), w->time_step(), r.list(w->interfaces())};
+  return {w->time(), w->time_step(), r.list(w->interfaces()), w->same_interfaces()};
 }
 FluidAdvanced unpack(Reader& r, const wire::FluidAdvanced* w) {
-  return {w->converged(), r.text(w->reason()), r.list(w->tractions()), w->newton_iterations(), w->residual()};
+  return {w->converged(), r.text(w->reason()), r.list(w->tractions()), w->newton_iterations(),
+          w->residual(),  w->time_error(),     w->time_error_order()};
 }
 DemAdvance unpack(Reader& r, const wire::DemAdvance* w) {
   return {w->time(), w->time_step(), r.list(w->loads()), r.list(w->prescribed())};
@@ -121,7 +126,8 @@ DemAdvanced unpack(Reader& r, const wire::DemAdvanced* w) {
 Accepted unpack(Reader& r, const wire::Accepted* w) { return {r.list(w->figures())}; }
 Write unpack(Reader&, const wire::Write* w) { return {w->mesh()}; }
 Fields unpack(Reader& r, const wire::Fields* w) {
-  return {w->time(), r.numbers(w->points()), r.numbers(w->cells()), r.list(w->fields())};
+  return {w->time(),           r.numbers(w->points()),  r.numbers(w->cells()),
+          r.list(w->fields()), r.list(w->boundaries()), r.list(w->profiles())};
 }
 State unpack(Reader& r, const wire::State* w) { return {r.numbers(w->bytes())}; }
 Heartbeat unpack(Reader& r, const wire::Heartbeat* w) { return {r.text(w->phase()), w->progress()}; }

@@ -53,6 +53,10 @@ auto pack(Builder& b, const Load& m) {
 auto pack(Builder& b, const Field& m) {
   return wire::CreateField(b, text(b, m.name), m.on_cells, m.components, numbers(b, m.values));
 }
+auto pack(Builder& b, const Curve& m) {
+  return wire::CreateCurve(b, text(b, m.name), numbers(b, m.points), numbers(b, m.lines), m.components,
+                           numbers(b, m.values));
+}
 
 template <class T>
 auto list(Builder& b, const std::vector<T>& items) {
@@ -85,11 +89,11 @@ auto pack(Builder& b, const Configured& m) {
                                 list(b, m.figures));
 }
 auto pack(Builder& b, const FluidAdvance& m) {
-  return wire::CreateFluidAdvance(b, m.time, m.time_step, list(b, m.interfaces));
+  return wire::CreateFluidAdvance(b, m.time, m.time_step, list(b, m.interfaces), m.same_interfaces);
 }
 auto pack(Builder& b, const FluidAdvanced& m) {
   return wire::CreateFluidAdvanced(b, m.converged, text(b, m.reason), list(b, m.tractions),
-                                   m.newton_iterations, m.residual);
+                                   m.newton_iterations, m.residual, m.time_error, m.time_error_order);
 }
 auto pack(Builder& b, const DemAdvance& m) {
   return wire::CreateDemAdvance(b, m.time, m.time_step, list(b, m.loads), list(b, m.prescribed));
@@ -104,7 +108,8 @@ auto pack(Builder& b, const Restore&) { return wire::CreateRestore(b); }
 auto pack(Builder& b, const Restored&) { return wire::CreateRestored(b); }
 auto pack(Builder& b, const Write& m) { return wire::CreateWrite(b, m.mesh); }
 auto pack(Builder& b, const Fields& m) {
-  return wire::CreateFields(b, m.time, numbers(b, m.points), numbers(b, m.cells), list(b, m.fields));
+  return wire::CreateFields(b, m.time, numbers(b, m.points), numbers(b, m.cells), list(b, m.fields),
+                            list(b, m.boundaries), list(b, m.profiles));
 }
 auto pack(Builder& b, const Checkpoint&) { return wire::CreateCheckpoint(b); }
 auto pack(Builder& b, const State& m) { return wire::CreateState(b, numbers(b, m.bytes)); }

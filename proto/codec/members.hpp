@@ -82,6 +82,7 @@ inline constexpr auto members_of<FluidAdvance> = std::tuple{
     member("time", &FluidAdvance::time),
     member("time_step", &FluidAdvance::time_step),
     member("interfaces", &FluidAdvance::interfaces),
+    member("same_interfaces", &FluidAdvance::same_interfaces),
 };
 template <>
 inline constexpr auto members_of<Traction> = std::tuple{
@@ -98,6 +99,8 @@ inline constexpr auto members_of<FluidAdvanced> = std::tuple{
     member("tractions", &FluidAdvanced::tractions),
     member("newton_iterations", &FluidAdvanced::newton_iterations),
     member("residual", &FluidAdvanced::residual),
+    member("time_error", &FluidAdvanced::time_error),
+    member("time_error_order", &FluidAdvanced::time_error_order),
 };
 template <>
 inline constexpr auto members_of<Load> = std::tuple{
@@ -129,11 +132,19 @@ inline constexpr auto members_of<Field> = std::tuple{
     member("values", &Field::values),
 };
 template <>
+inline constexpr auto members_of<Curve> = std::tuple{
+    member("name", &Curve::name),     member("points", &Curve::points),
+    member("lines", &Curve::lines),   member("components", &Curve::components),
+    member("values", &Curve::values),
+};
+template <>
 inline constexpr auto members_of<Fields> = std::tuple{
     member("time", &Fields::time),
     member("points", &Fields::points),
     member("cells", &Fields::cells),
     member("fields", &Fields::fields),
+    member("boundaries", &Fields::boundaries),
+    member("profiles", &Fields::profiles),
 };
 template <>
 inline constexpr auto members_of<State> = std::tuple{member("bytes", &State::bytes)};

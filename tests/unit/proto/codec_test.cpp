@@ -155,6 +155,10 @@ TEST(Codec, refuses_what_breaks_a_rule) {
       {FluidAdvanced{.tractions = {{.values = {1, 2, 3}, .arc_length = 1}}},
        "values must be two numbers an arc"},
       {FluidAdvanced{.tractions = {{.arc_length = 0}}}, "tractions[0].arc_length must be > 0 m"},
+      {FluidAdvance{.interfaces = {samples::arcs()}, .same_interfaces = true},
+       "interfaces must be empty where same_interfaces is set; got 1"},
+      {FluidAdvanced{.time_error = -1}, "time_error must be >= 0; got -1"},
+      {FluidAdvanced{.time_error_order = -1}, "time_error_order must be >= 0; got -1"},
       {FluidAdvanced{.residual = -1}, "residual must be >= 0"},
       {DemAdvance{.loads = {{.start = {0}, .end = {1}, .tractions = {1}}}},
        "two numbers for each of 1 arcs; got 1"},
@@ -167,6 +171,12 @@ TEST(Codec, refuses_what_breaks_a_rule) {
       {Fields{.points = {1, 2, 3}, .cells = {0, 0, 0, 0, 0, 1}}, "indices below the 1 points; got 1"},
       {Fields{.points = {1, 2, 3}, .fields = {{.name = "p", .values = {1, 2}}}},
        "1 numbers for \"p\"; got 2"},
+      {Fields{.boundaries = {{.points = {1, 2}}}},
+       "boundaries[0].points must be x, y, z of each point; got 2"},
+      {Fields{.boundaries = {{.lines = {0, 1}}}}, "lines must be 3 indices each; got 2"},
+      {Fields{.boundaries = {{.points = {1, 2, 3}, .lines = {0, 0, 1}}}}, "below the 1 points; got 1"},
+      {Fields{.profiles = {{.components = 0}}}, "profiles[0].components must be > 0; got 0"},
+      {Fields{.profiles = {{.points = {1, 2, 3}, .values = {1, 2}}}}, "values must be 1 numbers; got 2"},
       {Heartbeat{.progress = 1.5}, "progress must be between 0 and 1; got 1.5"},
   };
   for (const auto& [message, required] : cases)

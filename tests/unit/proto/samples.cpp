@@ -39,15 +39,17 @@ std::vector<Envelope> all() {
                   .tractions = {7, 8, 9, 10}};
   Fields fields{.time = 0.5, .points = std::vector<double>(18, 0.25), .cells = {0, 1, 2, 3, 4, 5}};
   fields.fields = {{"velocity", false, 2, std::vector<double>(12, 1.5)}, {"active", true, 1, {1}}};
+  fields.boundaries = {{"wall", std::vector<double>(9, 0.5), {0, 2, 1}, 2, {1, 2, 3, 4, 5, 6}}};
+  fields.profiles = {{"middle", {0, 1, 2}, {}, 1, {7}}};
 
   const std::vector<Message> messages{
-      Hello{1, "fluid", "toy", "0.1.0", {"checkpoint", "fields"}, 0xffffffffffffffff, 7},
+      Hello{2, "fluid", "toy", "0.1.0", {"checkpoint", "fields"}, 0xffffffffffffffff, 7},
       Welcome{0xfedcba9876543210, 0.25},
       Refusal{"the role is taken"},
       Configure{"[fluid]\ndensity = 1 # µ\n", "channel.msh", {1, 2, 3, 255}, {9, 8}},
       Configured{{{0, 0.1}, {1, 0.2}}, 0.01, {"no convection", "one factor"}, figures},
       FluidAdvance{0.3, 0.1, {arcs(), outline()}},
-      FluidAdvanced{true, "well", {traction, traction}, 4, 1e-9},
+      FluidAdvanced{true, "well", {traction, traction}, 4, 1e-9, 2e-4, 3},
       DemAdvance{0.3, 0.1, {load}, {motion(), motion()}},
       DemAdvanced{true, "well", {motion()}, 50, 2, 1e-6},
       Accept{},
