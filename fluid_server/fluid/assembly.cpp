@@ -1,14 +1,45 @@
 /// Residual and Jacobian of eq. (20): elements, then the ghost penalty, then the multipliers.
+#include "core/parallel.hpp"
+#include "fluid/quadrature.hpp"
 #include "fluid/system.hpp"
 
 namespace fpi::fluid {
 namespace {
 
-template <class Nodes>
-auto gather_nodes(const Vector& values, const Nodes& nodes, int component) {
-  Padded out = Padded::Zero();
-  for (std::size_t i = 0; i < nodes.size(); ++i) out[i] = values[2 * nodes[i] + component];
-  return out;
+constexpr std::size_t most_curved_points = triangle_degree_6.size();
+
+/// Number `lane` of a value that holds one or several.
+double& part(double& value, int) { return value; }
+double& part(Lanes& value, int lane) { return reinterpret_cast<double*>(&value)[lane]; }
+
+/// Writes the nodal values of a cell into one lane of the state.
+template <class T>
+void take_values(const Mesh& mesh, Index cell, const Fields& fields, const TimeTerms& time,
+                 const Vector& acceleration, int lane, ElementState<T>& state) {
+  const auto nodes = mesh.cell_nodes(cell);
+  const auto& vertices = mesh.cells[cell];
+  for (int i = 0; i < 6; ++i) {
+    const Index n = nodes[i];
+    part(state.ux[i], lane) = fields.u[2 * n];
+    part(state.uy[i], lane) = fields.u[2 * n + 1];
+    part(state.ax[i], lane) = acceleration[2 * n];
+    part(state.ay[i], lane) = acceleration[2 * n + 1];
+    part(state.inertia[i], lane) = time.inertia[n];
+  }
+  for (int k = 0; k < 3; ++k) part(state.p[k], lane) = fields.p[vertices[k]];
+}
+
+/// Adds the residual in one lane to the nodes of a cell.
+template <class T>
+void add_values(const Mesh& mesh, Index cell, std::array<T, element_unknowns>& element, int lane,
+                Residual& residual) {
+  const auto nodes = mesh.cell_nodes(cell);
+  const auto& vertices = mesh.cells[cell];
+  for (int i = 0; i < 6; ++i) {
+    residual.u[2 * nodes[i]] += part(element[i], lane);
+    residual.u[2 * nodes[i] + 1] += part(element[6 + i], lane);
+  }
+  for (int k = 0; k < 3; ++k) residual.p[vertices[k]] += part(element[12 + k], lane);
 }
 
 }  // namespace
@@ -17,60 +48,67 @@ Residual System::assemble(const Flow& flow, const Fields& fields, const TimeTerm
   Residual residual{-load_, Vector::Zero(fields.p.size()), Vector::Zero(fields.lambda.size())};
   if (with_jacobian) matrix_.set_zero();
   const Vector acceleration = time.acceleration(fields.u);
-  assemble_cells(flow, fields, time, acceleration, residual, with_jacobian);
+  assemble_cells({flow, fields, time, acceleration, residual, with_jacobian});
   assemble_ghost(flow, fields, time, acceleration, residual, with_jacobian);
   assemble_arcs(fields, residual, with_jacobian);
   return residual;
 }
 
-void System::assemble_cells(const Flow& flow, const Fields& fields, const TimeTerms& time,
-                            const Vector& acceleration, Residual& residual, bool with_jacobian) {
-  ElementState state;
-  ElementResidual element;
-  ElementJacobian jacobian;
-  std::array<double, block_size::cell * block_size::cell> dense{};
-  for (std::size_t k = 0; k < active_cells_.size(); ++k) {
-    const Index c = active_cells_[k];
-    const auto nodes = space_.mesh.cell_nodes(c);
-    const auto& vertices = space_.mesh.cells[c];
-    state.ux = gather_nodes(fields.u, nodes, 0);
-    state.uy = gather_nodes(fields.u, nodes, 1);
-    state.ax = gather_nodes(acceleration, nodes, 0);
-    state.ay = gather_nodes(acceleration, nodes, 1);
-    state.inertia.setZero();
-    for (int i = 0; i < 6; ++i) state.inertia[i] = time.inertia[nodes[i]];
-    for (int i = 0; i < 3; ++i) state.p[i] = fields.p[vertices[i]];
-
-    const auto [points, scale] = quadrature(k);
-    element_system(flow, space_.triangles[c], points, scale, state, element,
-                   with_jacobian ? &jacobian : nullptr);
-
-    for (int i = 0; i < 6; ++i) {
-      residual.u[2 * nodes[i]] += element.x[i];
-      residual.u[2 * nodes[i] + 1] += element.y[i];
-    }
-    for (int i = 0; i < 3; ++i) residual.p[vertices[i]] += element.q[i];
-    if (!with_jacobian) continue;
-
-    for (int j = 0; j < 6; ++j) {
-      double* column_x = dense.data() + block_size::cell * j;
-      double* column_y = dense.data() + block_size::cell * (6 + j);
-      for (int i = 0; i < 6; ++i) {
-        column_x[i] = jacobian.xx(i, j);
-        column_x[6 + i] = jacobian.yx(i, j);
-        column_y[i] = jacobian.xy(i, j);
-        column_y[6 + i] = jacobian.yy(i, j);
-      }
-      for (int l = 0; l < 3; ++l) {
-        column_x[12 + l] = jacobian.xp[l][j];
-        column_y[12 + l] = jacobian.yp[l][j];
-        dense[block_size::cell * (12 + l) + j] = jacobian.xp[l][j];
-        dense[block_size::cell * (12 + l) + 6 + j] = jacobian.yp[l][j];
-      }
-    }
-    if (has_slip_node(nodes)) rotate_slip(nodes, 0, 6, block_size::cell, dense.data());
-    matrix_.add(static_cast<Index>(k), dense.data());
+/// Even stripes, then odd ones: two of the same kind share nothing.
+void System::assemble_cells(const Assembly& what) {
+  const int n = static_cast<int>(stretches_.size());
+  for (const int first : {0, 1}) {
+    parallel_for((n - first + 1) / 2, [&](int i) {
+      const Stretch& stretch = stretches_[2 * i + first];
+      for (Index k = stretch.begin; k < stretch.curved; k += n_lanes)
+        assemble_several(what, k, std::min(k + n_lanes, stretch.curved));
+      for (Index k = stretch.curved; k < stretch.single; k += n_lanes)
+        assemble_several(what, k, std::min(k + n_lanes, stretch.single));
+      for (Index k = stretch.single; k < stretch.end; ++k) assemble_single(what, k);
+    });
   }
+}
+
+/// A few straight or a few curved cells at once, one a lane; lanes that are left over repeat the first cell.
+void System::assemble_several(const Assembly& what, Index begin, Index end) {
+  ElementState<Lanes> state;
+  std::array<Metric<Lanes>, most_curved_points> metrics;
+  ElementSystem<Lanes> systems;
+  const auto points = space_.quadrature(active_cells_[begin]).points;
+  std::size_t n_metrics = 0;
+  for (int lane = 0; lane < n_lanes; ++lane) {
+    const Index c = active_cells_[begin + lane < end ? begin + lane : begin];
+    take_values(space_.mesh, c, what.fields, what.time, what.acceleration, lane, state);
+    const auto own = space_.quadrature(c).metrics;
+    n_metrics = own.size();
+    for (std::size_t q = 0; q < n_metrics; ++q) {
+      for (int k = 0; k < 3; ++k) {
+        part(metrics[q].gx[k], lane) = own[q].gx[k];
+        part(metrics[q].gy[k], lane) = own[q].gy[k];
+      }
+      part(metrics[q].area, lane) = own[q].area;
+    }
+  }
+  element_system<Lanes>(what.flow, points, {metrics.data(), n_metrics}, state, systems, what.with_jacobian);
+  for (Index k = begin; k < end; ++k) {
+    const int lane = static_cast<int>(k - begin);
+    add_values(space_.mesh, active_cells_[k], systems.residual, lane, what.residual);
+    if (what.with_jacobian) matrix_.add(k, &part(systems.jacobian[0], lane), n_lanes);
+  }
+}
+
+/// A cut cell, or one with a slip node.
+void System::assemble_single(const Assembly& what, Index k) {
+  const Index c = active_cells_[k];
+  ElementState<double> state;
+  ElementSystem<double> block;
+  take_values(space_.mesh, c, what.fields, what.time, what.acceleration, 0, state);
+  const Quadrature rule = quadrature(k);
+  element_system<double>(what.flow, rule.points, rule.metrics, state, block, what.with_jacobian);
+  add_values(space_.mesh, c, block.residual, 0, what.residual);
+  if (!what.with_jacobian) return;
+  rotate_slip(space_.mesh.cell_nodes(c), 0, 6, block_size::cell, block.jacobian.data());
+  matrix_.add(k, block.jacobian.data());
 }
 
 void System::assemble_ghost(const Flow& flow, const Fields& fields, const TimeTerms& time,

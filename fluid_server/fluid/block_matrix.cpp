@@ -27,8 +27,7 @@ void BlockMatrix::finish() {
     for (std::size_t k = first_equation_[b]; k < first_equation_[b + 1]; ++k)
       if (equations_[k] >= 0) uses[next[equations_[k]]++] = {b, static_cast<int>(k - first_equation_[b])};
 
-  constexpr Index dustbin = -1;
-  place_.assign(first_entry_.back(), dustbin);
+  place_.assign(first_entry_.back(), -1);
   column_start_.assign(1, 0);
   row_.clear();
   row_.reserve(static_cast<std::size_t>(n_) * 24);
@@ -65,9 +64,7 @@ void BlockMatrix::finish() {
           place_[first_entry_[b] + offset + i] = place_of_row[equation[i]];
     }
   }
-  const Index n_entries = non_zeros();
-  std::replace(place_.begin(), place_.end(), dustbin, n_entries);
-  values_.assign(n_entries + 1, 0.0);
+  values_.assign(row_.size(), 0.0);
   equations_ = {};
 }
 

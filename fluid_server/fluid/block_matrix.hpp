@@ -27,10 +27,12 @@ class BlockMatrix {
   void finish();
 
   void set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
-  /// Adds a dense block, column by column.
-  void add(Index block, const double* dense) {
+  /// Adds a dense block, column by column; entry k is dense[k · stride]. Blocks without a common equation may
+  /// be added at the same time.
+  void add(Index block, const double* dense, std::ptrdiff_t stride = 1) {
     const std::size_t begin = first_entry_[block], end = first_entry_[block + 1];
-    for (std::size_t k = begin; k < end; ++k) values_[place_[k]] += dense[k - begin];
+    for (std::size_t k = begin; k < end; ++k, dense += stride)
+      if (place_[k] >= 0) values_[place_[k]] += *dense;
   }
 
   Index n() const { return n_; }
@@ -46,7 +48,7 @@ class BlockMatrix {
   std::vector<Index> equations_;                // of all blocks, one after another
   std::vector<std::size_t> first_equation_{0};  // of each block
   std::vector<std::size_t> first_entry_{0};     // of each block in place_
-  std::vector<Index> place_;                    // of each block entry in values_; the last value is a dustbin
+  std::vector<Index> place_;                    // of each block entry in values_, −1 where it has none
   std::vector<Index> column_start_, row_;
   std::vector<double> values_;
 };

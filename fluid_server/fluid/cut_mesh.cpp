@@ -166,7 +166,8 @@ CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Inter
         add_pieces(interfaces[k->second], k->second, out.first_multiplier[k->second], cell, stretch,
                    out.pieces);
     }
-    CutCell cut{cell, element_points(mesh.corners(cell), here)};
+    CutCell cut{cell, element_points(mesh.corners(cell), here), metric_of(Triangle(mesh.corners(cell)))};
+    cut.metric.area = 1;
     const bool holds_an_arc = !out.pieces.empty() && out.pieces.back().cell == cell;
     if (cut.points.empty() && !holds_an_arc)
       out.state[cell] = CellState::solid;  // covered by several discs together

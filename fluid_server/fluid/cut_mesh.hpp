@@ -27,6 +27,7 @@ struct ArcPiece {
 struct CutCell {
   Index cell;
   std::vector<ElementPoint> points;  ///< over the fluid part; weights in m²
+  Metric<double> metric;             ///< of the straight element, its area 1 m²: weights have it already
 };
 
 /// A node inside a body, which moves with it.

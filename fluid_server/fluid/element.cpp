@@ -40,12 +40,46 @@ Shape shape_at(const std::array<double, 3>& l) {
   return s;
 }
 
+Metric<double> metric_of(const Triangle& t) {
+  return {{t.gradient[0].x(), t.gradient[1].x(), t.gradient[2].x()},
+          {t.gradient[0].y(), t.gradient[1].y(), t.gradient[2].y()},
+          t.area};
+}
+
+Metric<double> metric_at(const std::array<Vec2, 6>& nodes, const Shape& shape) {
+  Vec2 a = Vec2::Zero(), b = Vec2::Zero();  // ∂x/∂L_1, ∂x/∂L_2 with L_0 = 1 − L_1 − L_2
+  for (int i = 0; i < 6; ++i) {
+    a += (shape.dn[1][i] - shape.dn[0][i]) * nodes[i];
+    b += (shape.dn[2][i] - shape.dn[0][i]) * nodes[i];
+  }
+  const double determinant = cross(a, b);
+  const Vec2 g1 = Vec2(b.y(), -b.x()) / determinant, g2 = Vec2(-a.y(), a.x()) / determinant;
+  return {{-g1.x() - g2.x(), g1.x(), g2.x()}, {-g1.y() - g2.y(), g1.y(), g2.y()}, 0.5 * determinant};
+}
+
+Vec2 position_at(const std::array<Vec2, 6>& nodes, const Padded& n) {
+  Vec2 x = Vec2::Zero();
+  for (int i = 0; i < 6; ++i) x += n[i] * nodes[i];
+  return x;
+}
+
+namespace {
+
+std::vector<ElementPoint> with_shapes(std::span<const TrianglePoint> rule) {
+  std::vector<ElementPoint> out;
+  for (const TrianglePoint& p : rule) out.push_back({shape_at({p.l0, p.l1, p.l2}), p.weight});
+  return out;
+}
+
+}  // namespace
+
 std::span<const ElementPoint> standard_points() {
-  static const std::vector<ElementPoint> points = [] {
-    std::vector<ElementPoint> out;
-    for (const TrianglePoint& p : triangle_degree_5) out.push_back({shape_at({p.l0, p.l1, p.l2}), p.weight});
-    return out;
-  }();
+  static const std::vector<ElementPoint> points = with_shapes(triangle_degree_5);
+  return points;
+}
+
+std::span<const ElementPoint> curved_points() {
+  static const std::vector<ElementPoint> points = with_shapes(triangle_degree_6);
   return points;
 }
 

@@ -1,5 +1,6 @@
-/// The P2P1 element (paper, figure 4, eq. 12): shape functions on a straight triangle. Arrays over the six P2
-/// nodes are padded to eight, so that they fill vector registers; the padding is zero.
+/// The P2P1 element (paper, figure 4, eq. 12): shape functions in barycentric terms, and the geometry of
+/// straight and of isoparametric triangles. Arrays over the six P2 nodes are padded to eight, to fill vector
+/// registers.
 #pragma once
 
 #include <array>
@@ -40,6 +41,19 @@ Shape shape_at(const std::array<double, 3>& barycentric);
 /// N_i alone.
 Padded p2_at(const std::array<double, 3>& barycentric);
 
+/// The geometry of an element at a point: ∇L_k [1/m], and the area [m²] that weights adding up to 1 are to be
+/// multiplied by. Constant in a straight triangle.
+template <class T>
+struct Metric {
+  std::array<T, 3> gx, gy;
+  T area;
+};
+Metric<double> metric_of(const Triangle& triangle);
+/// Of the isoparametric triangle through its six P2 nodes, at a point of it.
+Metric<double> metric_at(const std::array<Vec2, 6>& nodes, const Shape& shape);
+/// Σ N_i x_i
+Vec2 position_at(const std::array<Vec2, 6>& nodes, const Padded& n);
+
 /// A quadrature point of an element.
 struct ElementPoint {
   Shape shape;
@@ -49,5 +63,8 @@ struct ElementPoint {
 /// The rule of degree 5 that every uncut element shares; weights add up to 1 and are to be multiplied by the
 /// area.
 std::span<const ElementPoint> standard_points();
+
+/// The rule of degree 6 for curved elements; the products of degree 5 get the Jacobian on top.
+std::span<const ElementPoint> curved_points();
 
 }  // namespace fpi::fluid

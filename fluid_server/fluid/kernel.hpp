@@ -1,5 +1,6 @@
-/// Residual and exact Jacobian of the Navier–Stokes equations on one element, cut or not, by quadrature
-/// (paper, eqs. 9, 11–13; numerics.md section 1 for the signs: dynamic pressure, momentum multiplied by ρ).
+/// Residual and exact Jacobian of the Navier–Stokes equations on an element, straight, curved or cut, by
+/// quadrature (paper, eqs. 9, 11–13; numerics.md section 1 for the signs: dynamic pressure, momentum
+/// multiplied by ρ). One kernel serves a single element (T = double) and several at once (T = Lanes).
 #pragma once
 
 #include <array>
@@ -17,29 +18,39 @@ struct Flow {
   bool symmetric;    ///< 2μ ε(u):ε(w); else μ ∇u:∇w
 };
 
+/// One number of each of four elements; arithmetic acts on all four.
+typedef double Lanes __attribute__((vector_size(32)));
+inline constexpr int n_lanes = 4;
+
 /// Nodal values of an element, in the order of Mesh::cell_nodes.
+template <class T>
 struct ElementState {
-  Padded ux, uy;            ///< u [m/s]
-  Padded ax, ay;            ///< ∂u/∂t [m/s²]
-  Padded inertia;           ///< ∂a/∂u = 1/(γ Δt) of each node [1/s]; zero in steady flow
-  std::array<double, 3> p;  ///< [Pa]
+  std::array<T, 6> ux, uy;   ///< u [m/s]
+  std::array<T, 6> ax, ay;   ///< ∂u/∂t [m/s²]
+  std::array<T, 6> inertia;  ///< ∂a/∂u = 1/(γ Δt) of each node [1/s]; zero in steady flow
+  std::array<T, 3> p;        ///< [Pa]
 };
 
-/// Local unknowns: ux 0–5, uy 6–11, p 12–14. Padded rows 6 and 7 of a block are not used.
-struct ElementResidual {
-  Padded x, y;              ///< momentum, against each N_i
-  std::array<double, 3> q;  ///< continuity, against each L_k
-};
-struct ElementJacobian {
-  using Block = Eigen::Matrix<double, 8, 6>;
-  Block xx, xy, yx, yy;
-  std::array<Padded, 3> xp, yp;  ///< columns of the gradient; the continuity rows are their transpose
+/// Local unknowns: ux 0–5, uy 6–11, p 12–14.
+inline constexpr int element_unknowns = 15;
+template <class T>
+struct ElementSystem {
+  std::array<T, element_unknowns> residual;
+  std::array<T, element_unknowns * element_unknowns> jacobian;  ///< column by column
 };
 
-/// Adds nothing: `residual` (and `jacobian` where it is not null) are overwritten. Weights of `points` are
-/// multiplied by `scale` (the area for the standard points, 1 for points of a cut element).
-void element_system(const Flow& flow, const Triangle& triangle, std::span<const ElementPoint> points,
-                    double scale, const ElementState& state, ElementResidual& residual,
-                    ElementJacobian* jacobian);
+/// Overwrites the residual, and the Jacobian where `with_jacobian`. `metrics` holds one entry for all points
+/// (straight sides) or one for each; a point weighs its weight times the metric's area.
+template <class T>
+void element_system(const Flow& flow, std::span<const ElementPoint> points,
+                    std::span<const Metric<T>> metrics, const ElementState<T>& state,
+                    ElementSystem<T>& system, bool with_jacobian);
+
+extern template void element_system(const Flow&, std::span<const ElementPoint>,
+                                    std::span<const Metric<double>>, const ElementState<double>&,
+                                    ElementSystem<double>&, bool);
+extern template void element_system(const Flow&, std::span<const ElementPoint>,
+                                    std::span<const Metric<Lanes>>, const ElementState<Lanes>&,
+                                    ElementSystem<Lanes>&, bool);
 
 }  // namespace fpi::fluid

@@ -1,6 +1,7 @@
 #include "fluid/numbering.hpp"
 
 #include <numeric>
+#include <utility>
 
 namespace fpi::fluid {
 namespace {
@@ -79,13 +80,18 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
       if (cut.active_length[m] > 0.05 * length) out.multiplier[2 * m] = out.multiplier[2 * m + 1] = wanted;
     }
 
-  for (Index node = 0; node < mesh.n_nodes(); ++node) {
-    if (!out.node_is_active[node] || boundary.constraint(node) == Constraint::both) continue;
-    if (boundary.constraint(node) == Constraint::none) out.velocity[2 * node] = out.n_equations++;
-    out.velocity[2 * node + 1] = out.n_equations++;
+  // Cell by cell, so that what an element couples lies close together in the matrix.
+  std::vector<std::uint8_t> is_numbered(mesh.n_nodes(), 0);
+  for (Index c = 0; c < mesh.n_cells(); ++c) {
+    if (!cut.is_active(c)) continue;
+    for (Index node : mesh.cell_nodes(c)) {
+      if (std::exchange(is_numbered[node], 1)) continue;
+      const Constraint constraint = boundary.constraint(node);
+      if (constraint == Constraint::none) out.velocity[2 * node] = out.n_equations++;
+      if (constraint != Constraint::both) out.velocity[2 * node + 1] = out.n_equations++;
+      if (node < mesh.n_vertices() && out.pressure[node] == wanted) out.pressure[node] = out.n_equations++;
+    }
   }
-  for (Index& equation : out.pressure)
-    if (equation == wanted) equation = out.n_equations++;
   for (Index& equation : out.multiplier)
     if (equation == wanted) equation = out.n_equations++;
   return out;

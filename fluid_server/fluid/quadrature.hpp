@@ -32,4 +32,24 @@ inline constexpr std::array<TrianglePoint, 7> triangle_degree_5 = [] {
                                        {d, d, c, wc}}};
 }();
 
+/// Dunavant's twelve points, exact to degree 6 (Int. J. Numer. Methods Eng. 21, 1985).
+inline constexpr std::array<TrianglePoint, 12> triangle_degree_6 = [] {
+  constexpr double a = 0.501426509658179, b = 0.249286745170910, wa = 0.116786275726379;
+  constexpr double c = 0.873821971016996, d = 0.063089014491502, wc = 0.050844906370207;
+  constexpr double e = 0.053145049844817, f = 0.310352451033784, g = 0.636502499121399,
+                   we = 0.082851075618374;
+  return std::array<TrianglePoint, 12>{{{a, b, b, wa},
+                                        {b, a, b, wa},
+                                        {b, b, a, wa},
+                                        {c, d, d, wc},
+                                        {d, c, d, wc},
+                                        {d, d, c, wc},
+                                        {e, f, g, we},
+                                        {e, g, f, we},
+                                        {f, e, g, we},
+                                        {f, g, e, we},
+                                        {g, e, f, we},
+                                        {g, f, e, we}}};
+}();
+
 }  // namespace fpi::fluid

@@ -65,19 +65,37 @@ System::System(const Space& space, const scene::Embedding& embedding, std::vecto
   }
   const ScopedTimer timer(ledger, "assembly");
   numbering_ = number_unknowns(space.mesh, space.boundary, cut_, interfaces_);
-  std::vector<Index> cut_number(space.mesh.n_cells(), -1);
-  for (std::size_t k = 0; k < cut_.cut_cells.size(); ++k)
-    cut_number[cut_.cut_cells[k].cell] = static_cast<Index>(k);
-  for (Index c = 0; c < space.mesh.n_cells(); ++c) {
-    if (!cut_.is_active(c)) continue;
-    active_cells_.push_back(c);
-    cut_index_.push_back(cut_number[c]);
-  }
+  order_cells();
   require(numbering_.n_equations > 0,
           "a part of the mesh must be fluid; the bodies cover all of it: make them smaller");
   load_ = Vector::Zero(2 * space.mesh.n_nodes());
   declare_blocks();
   set_velocities(interfaces_);
+}
+
+void System::order_cells() {
+  const Mesh& mesh = space_.mesh;
+  std::vector<Index> cut_number(mesh.n_cells(), -1);
+  for (std::size_t k = 0; k < cut_.cut_cells.size(); ++k)
+    cut_number[cut_.cut_cells[k].cell] = static_cast<Index>(k);
+  enum Kind { straight, curved, single };
+  std::vector<std::array<std::vector<Index>, 3>> cells(space_.stripes.n);
+  for (Index c = 0; c < mesh.n_cells(); ++c) {
+    if (!cut_.is_active(c)) continue;
+    const Kind whole = mesh.is_curved(c) ? curved : straight;
+    const Kind kind = cut_number[c] >= 0 || has_slip_node(mesh.cell_nodes(c)) ? single : whole;
+    cells[space_.stripes.of_cell[c]][kind].push_back(c);
+  }
+  const auto append = [&](const std::vector<Index>& some) {
+    active_cells_.insert(active_cells_.end(), some.begin(), some.end());
+    return static_cast<Index>(active_cells_.size());
+  };
+  for (const auto& of_stripe : cells) {
+    const Index begin = static_cast<Index>(active_cells_.size());
+    const Index first_curved = append(of_stripe[straight]), first_single = append(of_stripe[curved]);
+    stretches_.push_back({begin, first_curved, first_single, append(of_stripe[single])});
+  }
+  for (Index c : active_cells_) cut_index_.push_back(cut_number[c]);
 }
 
 bool System::same_geometry(const std::vector<Interface>& interfaces) const {
@@ -141,9 +159,10 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
   }
 }
 
-System::CellQuadrature System::quadrature(std::size_t k) const {
-  if (cut_index_[k] >= 0) return {cut_.cut_cells[cut_index_[k]].points, 1};
-  return {standard_points(), space_.triangles[active_cells_[k]].area};
+Quadrature System::quadrature(std::size_t k) const {
+  if (cut_index_[k] < 0) return space_.quadrature(active_cells_[k]);
+  const CutCell& cut = cut_.cut_cells[cut_index_[k]];
+  return {cut.points, {&cut.metric, 1}};
 }
 
 void System::set_load(double t, const std::array<Expression, 2>& body_force) {
@@ -152,13 +171,14 @@ void System::set_load(double t, const std::array<Expression, 2>& body_force) {
   if (body_force[0].is_zero() && body_force[1].is_zero()) return;
   for (std::size_t k = 0; k < active_cells_.size(); ++k) {
     const Index c = active_cells_[k];
-    const auto [points, scale] = quadrature(k);
+    const Quadrature rule = quadrature(k);
     const auto nodes = space_.mesh.cell_nodes(c);
-    for (const ElementPoint& point : points) {
-      const Vec2 x = space_.triangles[c].point(point.shape.l);
-      const Vec2 f =
-          scale * point.weight * Vec2(body_force[0](x.x(), x.y(), t), body_force[1](x.x(), x.y(), t));
-      for (int i = 0; i < 6; ++i) load_.segment<2>(2 * nodes[i]) += point.shape.n[i] * f;
+    const auto positions = space_.node_positions(c);
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      const Padded& n = rule.points[q].shape.n;
+      const Vec2 x = position_at(positions, n);
+      const Vec2 f = rule.weight(q) * Vec2(body_force[0](x.x(), x.y(), t), body_force[1](x.x(), x.y(), t));
+      for (int i = 0; i < 6; ++i) load_.segment<2>(2 * nodes[i]) += n[i] * f;
     }
   }
 }

@@ -47,7 +47,7 @@ struct Residual {
 /// Unknowns of the blocks: (ux, uy of 6 nodes, p of 3 vertices); (ux, uy of 9 nodes); (λ, then ux, uy of 6
 /// nodes).
 namespace block_size {
-inline constexpr int cell = 15, ghost = 18, arc = 14;
+inline constexpr int cell = element_unknowns, ghost = 18, arc = 14;
 }
 
 class System {
@@ -55,6 +55,7 @@ class System {
   System(const Space& space, const scene::Embedding& embedding, std::vector<Interface> interfaces,
          bool bodies_move, Ledger& ledger);
 
+  const Space& space() const { return space_; }
   const CutMesh& cut() const { return cut_; }
   const Numbering& numbering() const { return numbering_; }
   const std::vector<Interface>& interfaces() const { return interfaces_; }
@@ -87,17 +88,29 @@ class System {
 
  private:
   void declare_blocks();
-  void assemble_cells(const Flow& flow, const Fields& fields, const TimeTerms& time,
-                      const Vector& acceleration, Residual& residual, bool with_jacobian);
+  /// Positions in active_cells_ of the cells of one stripe: straight ones, curved ones, then those that are
+  /// cut or have a slip node, which go one by one.
+  struct Stretch {
+    Index begin, curved, single, end;
+  };
+  /// What all cells need.
+  struct Assembly {
+    const Flow& flow;
+    const Fields& fields;
+    const TimeTerms& time;
+    const Vector& acceleration;
+    Residual& residual;
+    bool with_jacobian;
+  };
+  void order_cells();
+  void assemble_cells(const Assembly& what);
+  void assemble_several(const Assembly& what, Index begin, Index end);
+  void assemble_single(const Assembly& what, Index k);
   void assemble_ghost(const Flow& flow, const Fields& fields, const TimeTerms& time,
                       const Vector& acceleration, Residual& residual, bool with_jacobian);
   void assemble_arcs(const Fields& fields, Residual& residual, bool with_jacobian);
-  /// Quadrature of the k-th active cell, and what its weights are to be multiplied by.
-  struct CellQuadrature {
-    std::span<const ElementPoint> points;
-    double scale;
-  };
-  CellQuadrature quadrature(std::size_t k) const;
+  /// Over the fluid part of the k-th active cell.
+  Quadrature quadrature(std::size_t k) const;
   bool has_slip_node(std::span<const Index> nodes) const;
   void rotate_slip(std::span<const Index> nodes, int first_x, int first_y, int n, double* dense) const;
 
@@ -114,7 +127,8 @@ class System {
   CutMesh cut_;
   Numbering numbering_;
   std::vector<Index> active_cells_;
-  std::vector<Index> cut_index_;  // of each active cell in cut_.cut_cells, or −1
+  std::vector<Stretch> stretches_;  // of each stripe
+  std::vector<Index> cut_index_;    // of each active cell in cut_.cut_cells, or −1
   std::vector<GhostFace> ghosts_;
   std::vector<PieceIntegrals> pieces_;
   Vector load_;

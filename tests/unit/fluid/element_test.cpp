@@ -11,14 +11,41 @@ namespace {
 
 double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
-TEST(Quadrature, triangle_rule_is_exact_to_degree_5) {
-  for (int a = 0; a <= 5; ++a)
-    for (int b = 0; a + b <= 5; ++b) {
+void expect_exact(std::span<const TrianglePoint> rule, int degree) {
+  for (int a = 0; a <= degree; ++a)
+    for (int b = 0; a + b <= degree; ++b) {
       double sum = 0;
-      for (const TrianglePoint& p : triangle_degree_5)
-        sum += p.weight * std::pow(p.l0, a) * std::pow(p.l1, b);
-      EXPECT_NEAR(sum, 2 * factorial(a) * factorial(b) / factorial(a + b + 2), 1e-15) << a << ' ' << b;
+      for (const TrianglePoint& p : rule) sum += p.weight * std::pow(p.l0, a) * std::pow(p.l1, b);
+      EXPECT_NEAR(sum, 2 * factorial(a) * factorial(b) / factorial(a + b + 2), 2e-15) << a << ' ' << b;
     }
+}
+
+TEST(Quadrature, triangle_rules_are_exact_to_their_degree) {
+  expect_exact(triangle_degree_5, 5);
+  expect_exact(triangle_degree_6, 6);
+}
+
+TEST(Element, the_metric_of_a_curved_triangle_adds_up_to_its_area) {
+  // A parabolic side of height c over a chord of length 1 adds 2c/3.
+  const double c = 0.1;
+  const std::array<Vec2, 6> nodes{Vec2(0, 0),   Vec2(1, 0),   Vec2(0, 1),
+                                  Vec2(.5, -c), Vec2(.5, .5), Vec2(0, .5)};
+  double area = 0;
+  for (const ElementPoint& point : curved_points()) area += point.weight * metric_at(nodes, point.shape).area;
+  EXPECT_NEAR(area, 0.5 + 2 * c / 3, 1e-14);
+}
+
+TEST(Element, curved_gradients_are_exact_for_linear_functions) {
+  const std::array<Vec2, 6> nodes{Vec2(0, 0),     Vec2(1, 0),     Vec2(0, 1),
+                                  Vec2(.5, -.08), Vec2(.55, .52), Vec2(.03, .5)};
+  for (const ElementPoint& point : curved_points()) {
+    const Metric<double> m = metric_at(nodes, point.shape);
+    Vec2 gradient = Vec2::Zero();
+    for (int i = 0; i < 6; ++i)
+      for (int k = 0; k < 3; ++k)
+        gradient += point.shape.dn[k][i] * (3 * nodes[i].x() - 2 * nodes[i].y()) * Vec2(m.gx[k], m.gy[k]);
+    EXPECT_NEAR((gradient - Vec2(3, -2)).norm(), 0, 1e-13);
+  }
 }
 
 TEST(Quadrature, gauss_rule_with_n_points_is_exact_to_degree_2n_minus_1_and_no_further) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 namespace fpi::fluid {
@@ -11,58 +12,48 @@ using Local = Eigen::Matrix<double, 15, 1>;
 
 const Triangle triangle({Vec2(0.1, -0.2), Vec2(1.3, 0.4), Vec2(0.3, 0.9)});
 
-ElementState state_of(const Local& v, double inertia) {
-  ElementState s;
-  s.ux.setZero();
-  s.uy.setZero();
-  s.inertia.setZero();
+ElementState<double> state_of(const Local& v, double inertia) {
+  ElementState<double> s;
   for (int i = 0; i < 6; ++i) {
     s.ux[i] = v[i];
     s.uy[i] = v[6 + i];
     s.inertia[i] = inertia * (1 + 0.1 * i);
+    s.ax[i] = s.inertia[i] * s.ux[i];
+    s.ay[i] = s.inertia[i] * s.uy[i];
   }
-  s.ax = s.inertia.cwiseProduct(s.ux);
-  s.ay = s.inertia.cwiseProduct(s.uy);
   for (int k = 0; k < 3; ++k) s.p[k] = v[12 + k];
   return s;
 }
 
+ElementSystem<double> system_of(const Flow& flow, const ElementState<double>& state) {
+  const Metric<double> metric = metric_of(triangle);
+  ElementSystem<double> system;
+  element_system<double>(flow, standard_points(), {&metric, 1}, state, system, true);
+  return system;
+}
+
 Local residual_of(const Flow& flow, const Local& v, double inertia) {
-  ElementResidual r;
-  element_system(flow, triangle, standard_points(), triangle.area, state_of(v, inertia), r, nullptr);
-  Local out;
-  out << r.x.head<6>(), r.y.head<6>(), r.q[0], r.q[1], r.q[2];
-  return out;
+  return Local(system_of(flow, state_of(v, inertia)).residual.data());
 }
 
 Eigen::Matrix<double, 15, 15> jacobian_of(const Flow& flow, const Local& v, double inertia) {
-  ElementResidual r;
-  ElementJacobian j;
-  element_system(flow, triangle, standard_points(), triangle.area, state_of(v, inertia), r, &j);
-  Eigen::Matrix<double, 15, 15> out = Eigen::Matrix<double, 15, 15>::Zero();
-  out.block<6, 6>(0, 0) = j.xx.topRows<6>();
-  out.block<6, 6>(0, 6) = j.xy.topRows<6>();
-  out.block<6, 6>(6, 0) = j.yx.topRows<6>();
-  out.block<6, 6>(6, 6) = j.yy.topRows<6>();
-  for (int k = 0; k < 3; ++k) {
-    out.block<6, 1>(0, 12 + k) = j.xp[k].head<6>();
-    out.block<6, 1>(6, 12 + k) = j.yp[k].head<6>();
-    out.block<1, 6>(12 + k, 0) = j.xp[k].head<6>().transpose();
-    out.block<1, 6>(12 + k, 6) = j.yp[k].head<6>().transpose();
-  }
-  return out;
+  return Eigen::Matrix<double, 15, 15>(system_of(flow, state_of(v, inertia)).jacobian.data());
+}
+
+Local random_values(unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  Local v;
+  for (double& x : v) x = normal(random);
+  return v;
 }
 
 TEST(Kernel, jacobian_is_the_derivative_of_the_residual) {
-  std::mt19937 random(5);
-  std::normal_distribution<double> normal;
   for (const bool convection : {false, true})
     for (const bool symmetric : {false, true})
       for (const double inertia : {0.0, 3.0}) {
         const Flow flow{1.7, 0.3, convection, symmetric};
-        Local v, d;
-        for (double& x : v) x = normal(random);
-        for (double& x : d) x = normal(random);
+        const Local v = random_values(5), d = random_values(6);
         const double eps = 1e-4;  // the residual is quadratic: a central difference is exact
         const Local difference =
             (residual_of(flow, v + eps * d, inertia) - residual_of(flow, v - eps * d, inertia)) / (2 * eps);
@@ -87,12 +78,58 @@ TEST(Kernel, rigid_motion_has_no_viscous_stress_in_the_symmetric_form) {
 TEST(Kernel, inertia_of_a_uniform_acceleration_is_the_mass) {
   Local v = Local::Zero();
   v.head<6>().setOnes();
-  ElementState s = state_of(v, 0);
-  s.ax.setZero();
-  s.ax.head<6>().setConstant(2.0);
-  ElementResidual r;
-  element_system({1.5, 1, false, true}, triangle, standard_points(), triangle.area, s, r, nullptr);
-  EXPECT_NEAR(r.x.sum(), 1.5 * triangle.area * 2.0, 1e-14);
+  ElementState<double> s = state_of(v, 0);
+  s.ax.fill(2.0);
+  const auto residual = system_of({1.5, 1, false, true}, s).residual;
+  EXPECT_NEAR(std::accumulate(residual.begin(), residual.begin() + 6, 0.0), 1.5 * triangle.area * 2.0, 1e-14);
+}
+
+TEST(Kernel, four_elements_at_once_give_what_each_gives_alone) {
+  const Flow flow{1.7, 0.3, true, true};
+  ElementState<Lanes> states{};
+  Metric<Lanes> metrics{};
+  const auto put = [](Lanes& to, int lane, double value) { reinterpret_cast<double*>(&to)[lane] = value; };
+  const Metric<double> metric = metric_of(triangle);
+  for (int lane = 0; lane < n_lanes; ++lane) {
+    const ElementState<double> one = state_of(random_values(lane), 2);
+    for (int i = 0; i < 6; ++i) {
+      put(states.ux[i], lane, one.ux[i]);
+      put(states.uy[i], lane, one.uy[i]);
+      put(states.ax[i], lane, one.ax[i]);
+      put(states.ay[i], lane, one.ay[i]);
+      put(states.inertia[i], lane, one.inertia[i]);
+    }
+    for (int k = 0; k < 3; ++k) {
+      put(states.p[k], lane, one.p[k]);
+      put(metrics.gx[k], lane, metric.gx[k]);
+      put(metrics.gy[k], lane, metric.gy[k]);
+    }
+    put(metrics.area, lane, metric.area);
+  }
+  ElementSystem<Lanes> all;
+  element_system<Lanes>(flow, standard_points(), {&metrics, 1}, states, all, true);
+  for (int lane = 0; lane < n_lanes; ++lane) {
+    const auto one = system_of(flow, state_of(random_values(lane), 2));
+    for (int i = 0; i < 15; ++i) EXPECT_NEAR(all.residual[i][lane], one.residual[i], 1e-12);
+    for (int i = 0; i < 225; ++i) EXPECT_NEAR(all.jacobian[i][lane], one.jacobian[i], 1e-12);
+  }
+}
+
+TEST(Kernel, an_isoparametric_element_with_straight_sides_is_the_straight_one) {
+  std::array<Vec2, 6> nodes;
+  for (int i = 0; i < 3; ++i) {
+    nodes[i] = triangle.corner[i];
+    nodes[3 + i] = 0.5 * (triangle.corner[i] + triangle.corner[(i + 1) % 3]);
+  }
+  std::vector<Metric<double>> metrics;
+  for (const ElementPoint& point : curved_points()) metrics.push_back(metric_at(nodes, point.shape));
+  const Flow flow{1.7, 0.3, true, true};
+  const ElementState<double> state = state_of(random_values(3), 2);
+  ElementSystem<double> curved;
+  element_system<double>(flow, curved_points(), metrics, state, curved, true);
+  const auto straight = system_of(flow, state);
+  for (int i = 0; i < 15; ++i) EXPECT_NEAR(curved.residual[i], straight.residual[i], 1e-12);
+  for (int i = 0; i < 225; ++i) EXPECT_NEAR(curved.jacobian[i], straight.jacobian[i], 1e-12);
 }
 
 }  // namespace
