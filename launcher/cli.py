@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from launcher import build, display, packages, report, run, scenes
+from launcher import build, display, mesh, packages, report, run, scenes
 from launcher.common import ROOT, Refusal, program, programs
 
 
@@ -52,6 +52,10 @@ def parser() -> argparse.ArgumentParser:
     script_options(resuming)
     plotting = word("plot", do_plot, "draw the results of a run")
     plotting.add_argument("run", type=Path, metavar="RUN", help="the run folder")
+    meshing = word("mesh", do_mesh, "make a body-fitted mesh with Gmsh")
+    meshing.add_argument("geometry", metavar="NAME", help="a .geo file, or the name of one in configs/")
+    meshing.add_argument("--size", type=factor, default=1.0, metavar="F", help="scales all element sizes (default 1)")
+    meshing.add_argument("--out", type=Path, metavar="FILE", help="the mesh file (default: .msh beside the geometry)")
     word("list", do_list, "name the scenes that come with fpi")
     building = word("build", do_build, "install what is missing and build")
     building.add_argument("--preset", choices=build.PRESETS, default="release")
@@ -71,6 +75,13 @@ def positive(text: str) -> int:
     number = int(text)
     if number < 1:
         raise argparse.ArgumentTypeError(f"a number of at least 1 is required; got {text}")
+    return number
+
+
+def factor(text: str) -> float:
+    number = float(text)
+    if not 1e-3 <= number <= 1e3:
+        raise argparse.ArgumentTypeError(f"a factor from 0.001 to 1000 is required; got {text}")
     return number
 
 
@@ -125,6 +136,11 @@ def do_plot(arguments) -> int:
     pictures = plot.draw(arguments.run)
     for picture in pictures:
         print(picture)
+    return 0
+
+
+def do_mesh(arguments) -> int:
+    print(mesh.make(arguments.geometry, arguments.size, arguments.out))
     return 0
 
 

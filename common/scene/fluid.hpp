@@ -11,6 +11,51 @@
 
 namespace fpi::scene {
 
+/// [[fluid.mesh.refinements]]: triangles of at most size + growth · distance from a region.
+struct Refinement {
+  double size = 0;             ///< h = √(2·area) in the region [m]
+  double growth = 0.25;        ///< of the size with the distance from the region
+  std::vector<double> box;     ///< [x0, y0, x1, y1] [m]
+  std::vector<double> centre;  ///< of a circle line [m]
+  double radius = 0;           ///< [m]
+  std::vector<double> line;    ///< [x0, y0, x1, y1, …] of a polyline [m]
+
+  void declare(ParameterVisitor& v) {
+    v.real({"size", "m", "largest short side of the triangles that touch the region", true}, size,
+           positive());
+    v.real({"growth", "", "by how much the size may grow with the distance from the region"}, growth,
+           between(0, 10));
+    v.reals({"box", "m", "region: [x0, y0, x1, y1]"}, box, {0, 4}, any_number());
+    v.reals({"centre", "m", "region: the circle line of this centre and radius"}, centre, {0, 2},
+            any_number());
+    v.real({"radius", "m", "of the circle; 0: the point"}, radius, not_negative());
+    v.reals({"line", "m", "region: the line through the points [x0, y0, x1, y1, …]"}, line, {}, any_number());
+    v.require(
+        box.empty() + centre.empty() + line.empty() == 2, "size",
+        "must come with one region: box = [x0, y0, x1, y1], centre = [x, y] and radius, or line = [x0, y0, "
+        "x1, y1, …]");
+    v.require(box.empty() || (box.size() == 4 && box[0] <= box[2] && box[1] <= box[3]), "box",
+              "must be [x0, y0, x1, y1] with x0 <= x1 and y0 <= y1");
+    v.require(centre.size() != 1, "centre", "must be [x, y]");
+    v.require(line.empty() || (line.size() >= 4 && line.size() % 2 == 0), "line",
+              "must have two points or more, each x, y");
+  }
+};
+
+/// [[fluid.mesh.circles]]: a boundary of a Gmsh mesh that is a circle.
+struct Circle {
+  std::string boundary;
+  std::vector<double> centre;  ///< [m]
+  double radius = 0;           ///< [m]
+
+  void declare(ParameterVisitor& v) {
+    v.text({"boundary", "", "name of the boundary that is put on the circle, its edges as parabolas", true},
+           boundary);
+    v.reals({"centre", "m", "of the circle", true}, centre, {2, 2}, any_number());
+    v.real({"radius", "m", "of the circle", true}, radius, positive());
+  }
+};
+
 /// [fluid.mesh]: a Gmsh file, or a rectangle made here.
 struct Mesh {
   std::string file;                       ///< Gmsh .msh (2.2 or 4.1); the coupler reads its bytes
@@ -20,6 +65,8 @@ struct Mesh {
   std::vector<double> fine_region;        ///< [x0, y0, x1, y1] [m]; empty: everywhere
   double growth = 1.15;                   ///< ratio of neighbouring cell sizes outside fine_region
   double largest_cell_size = 0;           ///< [m]; 0: no limit
+  std::vector<Refinement> refinements;    ///< of the rectangle
+  std::vector<Circle> circles;            ///< of the Gmsh mesh
 
   void declare(ParameterVisitor& v) {
     v.text({"file", "", "Gmsh mesh (.msh, format 2.2 or 4.1), beside the scene; else a rectangle is made"},
@@ -37,6 +84,9 @@ struct Mesh {
            between(1, 2));
     v.real({"largest_cell_size", "m", "graded division: upper limit of the size; 0: none"}, largest_cell_size,
            not_negative());
+    v.tables({"refinements", "", "where triangles of the rectangle are halved until they are small enough"},
+             refinements);
+    v.tables({"circles", "", "boundaries of a Gmsh mesh of straight triangles that are circles"}, circles);
     const bool rectangle = lower.size() == 2 && upper.size() == 2;
     v.require(
         file.empty() ? rectangle : lower.empty() && upper.empty(), file.empty() ? "lower" : "file",
@@ -48,6 +98,9 @@ struct Mesh {
               "must go without the other: a rectangle has either cells_x and cells_y, or cell_size");
     v.require(rectangle || (cell_size == 0 && !divided), "file",
               "has its own cells: remove cells_x, cells_y and cell_size");
+    v.require(rectangle || refinements.empty(), "file", "has its own triangles: remove the refinements");
+    v.require(!rectangle || circles.empty(), "lower",
+              "must not be given with circles, which are for a mesh file");
     v.require(fine_region.empty() || fine_region.size() == 4, "fine_region",
               "must be [x0, y0, x1, y1] or empty");
   }

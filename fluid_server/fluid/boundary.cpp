@@ -10,12 +10,18 @@
 namespace fpi::fluid {
 namespace {
 
-/// The corner of a boundary edge's triangle that is not on the edge.
-Index opposite_vertex(const Mesh& mesh, const BoundaryEdge& b) {
-  const auto& [start, end] = mesh.edges[b.edge];
-  for (Index v : mesh.cells[b.cell])
-    if (v != start && v != end) return v;
-  return -1;
+/// Where the nodes of EdgeNodes are along the edge, and Simpson's weights: exact for P2 values on a parabola,
+/// since N_i dx/ds is of degree 3.
+constexpr std::array<double, 3> node_s{0, 1, 0.5}, simpson{1.0 / 6, 1.0 / 6, 2.0 / 3};
+
+/// ∫ N_i n ds of the three nodes of an edge, n out of the mesh [m].
+std::array<Vec2, 3> outward(const EdgeNodes& edge) {
+  std::array<Vec2, 3> out;
+  for (int i = 0; i < 3; ++i) {
+    const Vec2 along = simpson[i] * edge_tangent(edge, node_s[i]);
+    out[i] = {along.y(), -along.x()};
+  }
+  return out;
 }
 
 }  // namespace
@@ -56,27 +62,26 @@ void Boundary::assign_nodes() {
   }
 }
 
-/// A node where slip sides meet at more than 30 degrees is a corner and cannot move; else it takes the mean
-/// normal.
+/// The normal of a node is that of ∫ N_i n ds, with which no fluid leaks through the sides as a whole. A node
+/// where slip sides meet at more than 30 degrees is a corner and cannot move.
 void Boundary::find_slip_normals() {
+  const double cos_30 = std::sqrt(0.75);
   for (const BoundaryEdge& b : mesh_.boundary) {
     if (parts_[b.boundary].type != Type::slip) continue;
-    const auto nodes = mesh_.edge_nodes(b.edge);
-    const Vec2 along = (mesh_.vertices[nodes[1]] - mesh_.vertices[nodes[0]]).normalized();
-    const Vec2 normal(along.y(), -along.x());
-    for (Index node : nodes) {
-      if (constraint_[node] == Constraint::both) continue;
-      if (constraint_[node] == Constraint::none) {
-        constraint_[node] = Constraint::normal;
-        normal_[node] = normal;
-      } else if (std::abs(cross(normal_[node], normal)) > 0.5) {
-        constraint_[node] = Constraint::both;
-      } else {
-        const double same_way = std::copysign(1.0, normal_[node].dot(normal));
-        normal_[node] = (normal_[node] + same_way * normal).normalized();
-      }
+    const auto nodes = mesh_.edge_nodes(b);
+    const auto normals = outward(mesh_.places(nodes));
+    for (int i = 0; i < 3; ++i) {
+      Vec2& normal = normal_[nodes[i]];
+      Constraint& constraint = constraint_[nodes[i]];
+      if (constraint == Constraint::both) continue;
+      const bool is_corner = constraint == Constraint::normal &&
+                             normal.dot(normals[i]) < cos_30 * normal.norm() * normals[i].norm();
+      constraint = is_corner ? Constraint::both : Constraint::normal;
+      normal += normals[i];
     }
   }
+  for (Index node = 0; node < mesh_.n_nodes(); ++node)
+    if (constraint_[node] == Constraint::normal) normal_[node].normalize();
 }
 
 void Boundary::impose(double t, Vector& u) const {
@@ -98,14 +103,10 @@ void Boundary::check_net_flux(double t, const Vector& u) const {
   double net = 0, gross = 0;
   for (const BoundaryEdge& b : mesh_.boundary) {
     if (is_open(b.boundary)) return;
-    const auto nodes = mesh_.edge_nodes(b.edge);
-    const Vec2 start = mesh_.vertices[nodes[0]], along = mesh_.vertices[nodes[1]] - start;
-    const Vec2 inside = mesh_.vertices[opposite_vertex(mesh_, b)] - start;
-    const double outward = cross(along, inside) > 0 ? 1 : -1;
-    const Vec2 mean =
-        (u.segment<2>(2 * nodes[0]) + u.segment<2>(2 * nodes[1]) + 4 * u.segment<2>(2 * nodes[2])) / 6;
-    const double flux =
-        outward * (mean.x() * along.y() - mean.y() * along.x());  // Simpson's rule is exact for P2
+    const auto nodes = mesh_.edge_nodes(b);
+    const auto normals = outward(mesh_.places(nodes));
+    double flux = 0;
+    for (int i = 0; i < 3; ++i) flux += normals[i].dot(u.segment<2>(2 * nodes[i]));
     net += flux;
     gross += std::abs(flux);
   }
@@ -120,12 +121,12 @@ void Boundary::add_tractions(double t, Vector& load) const {
   for (const BoundaryEdge& b : mesh_.boundary) {
     const Part& part = parts_[b.boundary];
     if (part.type != Type::traction || (part.x.is_zero() && part.y.is_zero())) continue;
-    const auto nodes = mesh_.edge_nodes(b.edge);
-    const Vec2 start = mesh_.vertices[nodes[0]], end = mesh_.vertices[nodes[1]];
-    const double length = (end - start).norm();
+    const auto nodes = mesh_.edge_nodes(b);
+    const EdgeNodes edge = mesh_.places(nodes);
     for (const LinePoint& point : gauss_legendre(4)) {
-      const Vec2 x = start + point.s * (end - start);
+      const Vec2 x = edge_point(edge, point.s);
       const Vec2 traction(part.x(x.x(), x.y(), t), part.y(x.x(), x.y(), t));
+      const double length = edge_tangent(edge, point.s).norm();
       const Padded n = p2_at({1 - point.s, point.s, 0});
       const std::array<double, 3> values{n[0], n[1], n[3]};
       for (int i = 0; i < 3; ++i)

@@ -1,120 +1,72 @@
 #include "fluid/gmsh.hpp"
 
-#include <charconv>
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <optional>
 #include <unordered_map>
 
 #include "core/error.hpp"
+#include "fluid/words.hpp"
 
 namespace fpi::fluid {
 namespace {
 
-/// White-space separated words of the file, with the line number for errors.
-class Words {
- public:
-  Words(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+using Tag = std::int64_t;  // Gmsh's own number of a node, curve or group
 
-  bool at_end() {
-    skip_space();
-    return position_ == text_.size();
-  }
-  std::string_view word() {
-    skip_space();
-    const std::size_t begin = position_;
-    while (position_ < text_.size() && !is_space(text_[position_])) ++position_;
-    if (begin == position_) bad("more text", "the end of the file");
-    return text_.substr(begin, position_ - begin);
-  }
-  std::string quoted() {
-    skip_space();
-    const std::size_t end =
-        position_ < text_.size() ? text_.find('"', position_ + 1) : std::string_view::npos;
-    if (end == std::string_view::npos || text_[position_] != '"') bad("a name in quotes", "something else");
-    std::string out(text_.substr(position_ + 1, end - position_ - 1));
-    position_ = end + 1;
-    return out;
-  }
-  template <class Number>
-  Number number() {
-    const std::string_view w = word();
-    Number value{};
-    const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
-    if (error != std::errc{} || end != w.data() + w.size()) bad("a number", std::string(w));
-    return value;
-  }
-  /// A count, which cannot exceed what is left of the file.
-  std::size_t count() {
-    const auto n = number<std::int64_t>();
-    if (n < 0 || static_cast<std::size_t>(n) > text_.size() - position_)
-      bad("a count that the rest of the file can hold", std::to_string(n));
-    return static_cast<std::size_t>(n);
-  }
-  void skip_line() {
-    while (position_ < text_.size() && text_[position_] != '\n') ++position_;
-  }
-  void skip_to(std::string_view word) {
-    const std::size_t found = text_.find(word, position_);
-    if (found == std::string_view::npos) bad(std::string(word), "the end of the file");
-    while (position_ < found + word.size()) line_ += text_[position_++] == '\n';
-  }
-  [[noreturn]] void bad(const std::string& wanted, const std::string& got) const {
-    fail("{}:{}: {} is required; got {}: write the mesh anew with Gmsh (ASCII, format 2.2 or 4.1)", name_,
-         line_, wanted, got);
-  }
+enum ElementType { line = 1, triangle = 2, curved_line = 8, curved_triangle = 9, point = 15 };
 
- private:
-  static bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
-  void skip_space() {
-    while (position_ < text_.size() && is_space(text_[position_])) line_ += text_[position_++] == '\n';
-  }
-  std::string_view text_;
-  std::string name_;
-  std::size_t position_ = 0;
-  std::size_t line_ = 1;
-};
-
-constexpr int line_type = 1, triangle_type = 2, point_type = 15;
-
-/// What the file says, before it becomes a mesh. Tags are Gmsh's own numbers.
+/// What the file says, before it becomes a mesh.
 struct Contents {
-  std::map<std::int64_t, std::string> curve_names;                // physical tag → name
-  std::unordered_map<std::int64_t, std::int64_t> curve_physical;  // 4.1: entity → physical tag
-  std::unordered_map<std::int64_t, Vec2> nodes;
-  std::vector<std::array<std::int64_t, 3>> triangles;
-  std::vector<std::pair<std::array<std::int64_t, 2>, std::int64_t>> lines;  // nodes, physical tag
+  struct Line {
+    std::array<Tag, 2> nodes;
+    Tag curve;
+  };
+  struct Middle {
+    std::array<Tag, 2> ends;
+    Tag node;
+  };
+  std::map<Tag, std::string> names;                  // of groups of curves
+  std::unordered_map<Tag, std::vector<Tag>> groups;  // of each curve
+  std::unordered_map<Tag, Vec2> nodes;
+  std::vector<std::array<Tag, 3>> triangles;
+  std::vector<Line> lines;
+  std::vector<Middle> middles;
 };
 
 void read_names(Words& in, Contents& out) {
   for (std::size_t n = in.count(); n > 0; --n) {
     const int dimension = in.number<int>();
-    const auto tag = in.number<std::int64_t>();
+    const auto tag = in.number<Tag>();
     std::string name = in.quoted();
-    if (dimension == 1) out.curve_names[tag] = std::move(name);
+    if (dimension == 1) out.names[tag] = std::move(name);
   }
 }
 
-void read_element(Words& in, Contents& out, int type, std::int64_t physical) {
-  const auto node = [&] { return in.number<std::int64_t>(); };
-  if (type == point_type) {
-    node();
-  } else if (type == line_type) {
-    const auto a = node();
-    out.lines.push_back({{a, node()}, physical});
-  } else if (type == triangle_type) {
-    const auto a = node();
-    const auto b = node();
-    out.triangles.push_back({a, b, node()});
+/// Nodes come as the vertices, then the middles: of a triangle those of edges 01, 12, 20.
+void read_element(Words& in, Contents& out, int type, Tag curve) {
+  if (type == point) {
+    in.number<Tag>();
+  } else if (type == line || type == curved_line) {
+    std::array<Tag, 2> v;
+    for (Tag& tag : v) tag = in.number<Tag>();
+    out.lines.push_back({v, curve});
+    if (type == curved_line) out.middles.push_back({v, in.number<Tag>()});
+  } else if (type == triangle || type == curved_triangle) {
+    std::array<Tag, 3> v;
+    for (Tag& tag : v) tag = in.number<Tag>();
+    out.triangles.push_back(v);
+    for (int k = 0; k < 3 && type == curved_triangle; ++k)
+      out.middles.push_back({{v[k], v[(k + 1) % 3]}, in.number<Tag>()});
   } else {
-    in.bad("first-order triangles and lines only (Mesh.ElementOrder = 1)",
+    in.bad("triangles and lines of first or second order only (Mesh.ElementOrder = 1 or 2)",
            fmt::format("element type {}", type));
   }
 }
 
 void read_nodes_2(Words& in, Contents& out) {
   for (std::size_t n = in.count(); n > 0; --n) {
-    const auto tag = in.number<std::int64_t>();
+    const auto tag = in.number<Tag>();
     const double x = in.number<double>();
     out.nodes[tag] = {x, in.number<double>()};
     in.number<double>();
@@ -123,15 +75,16 @@ void read_nodes_2(Words& in, Contents& out) {
 
 void read_elements_2(Words& in, Contents& out) {
   for (std::size_t n = in.count(); n > 0; --n) {
-    in.number<std::int64_t>();
+    in.number<Tag>();
     const int type = in.number<int>();
-    std::int64_t physical = 0;
+    Tag group = 0;
     const std::size_t n_tags = in.count();
     for (std::size_t i = 0; i < n_tags; ++i) {
-      const auto tag = in.number<std::int64_t>();
-      if (i == 0) physical = tag;
+      const auto tag = in.number<Tag>();
+      if (i == 0) group = tag;
     }
-    read_element(in, out, type, physical);
+    out.groups[group] = {group};  // one stands for its curves
+    read_element(in, out, type, group);
   }
 }
 
@@ -140,26 +93,27 @@ void read_entities_4(Words& in, Contents& out) {
   in.count();
   in.count();
   for (std::size_t i = 0; i < n_points; ++i) {
-    in.number<std::int64_t>();
+    in.number<Tag>();
     in.skip_line();
   }
   for (std::size_t i = 0; i < n_curves; ++i) {
-    const auto tag = in.number<std::int64_t>();
+    const auto tag = in.number<Tag>();
     for (int k = 0; k < 6; ++k) in.number<double>();
-    if (in.count() > 0) out.curve_physical[tag] = std::abs(in.number<std::int64_t>());  // negative: reversed
+    for (std::size_t n = in.count(); n > 0; --n)
+      out.groups[tag].push_back(std::abs(in.number<Tag>()));  // negative: reversed
     in.skip_line();
   }
 }
 
 void read_nodes_4(Words& in, Contents& out) {
   const std::size_t n_blocks = in.count();
-  for (int k = 0; k < 3; ++k) in.number<std::int64_t>();
+  for (int k = 0; k < 3; ++k) in.number<Tag>();
   for (std::size_t b = 0; b < n_blocks; ++b) {
     in.number<int>();
-    in.number<std::int64_t>();
+    in.number<Tag>();
     if (in.number<int>() != 0) in.bad("nodes without parametric coordinates", "parametric ones");
-    std::vector<std::int64_t> tags(in.count());
-    for (auto& tag : tags) tag = in.number<std::int64_t>();
+    std::vector<Tag> tags(in.count());
+    for (auto& tag : tags) tag = in.number<Tag>();
     for (const auto tag : tags) {
       const double x = in.number<double>();
       out.nodes[tag] = {x, in.number<double>()};
@@ -170,16 +124,14 @@ void read_nodes_4(Words& in, Contents& out) {
 
 void read_elements_4(Words& in, Contents& out) {
   const std::size_t n_blocks = in.count();
-  for (int k = 0; k < 3; ++k) in.number<std::int64_t>();
+  for (int k = 0; k < 3; ++k) in.number<Tag>();
   for (std::size_t b = 0; b < n_blocks; ++b) {
-    const int dimension = in.number<int>();
-    const auto entity = in.number<std::int64_t>();
+    in.number<int>();
+    const auto entity = in.number<Tag>();
     const int type = in.number<int>();
-    const auto it = out.curve_physical.find(entity);
-    const std::int64_t physical = dimension == 1 && it != out.curve_physical.end() ? it->second : 0;
     for (std::size_t n = in.count(); n > 0; --n) {
-      in.number<std::int64_t>();
-      read_element(in, out, type, physical);
+      in.number<Tag>();
+      read_element(in, out, type, entity);
     }
   }
 }
@@ -218,16 +170,17 @@ Mesh read_gmsh(std::string_view text, const std::string& name) {
   require(!contents.triangles.empty(), "{}: triangles are required; got none: mesh the surface (gmsh -2)",
           name);
 
+  const auto place = [&](Tag tag) {
+    const auto node = contents.nodes.find(tag);
+    require(node != contents.nodes.end(),
+            "{}: an element names node {}, which is not there: write the mesh anew", name, tag);
+    return node->second;
+  };
   std::vector<Vec2> vertices;
-  std::unordered_map<std::int64_t, Index> number;
-  const auto vertex = [&](std::int64_t tag) {
+  std::unordered_map<Tag, Index> number;
+  const auto vertex = [&](Tag tag) {
     const auto [it, is_new] = number.try_emplace(tag, static_cast<Index>(vertices.size()));
-    if (is_new) {
-      const auto node = contents.nodes.find(tag);
-      require(node != contents.nodes.end(),
-              "{}: an element names node {}, which is not there: write the mesh anew", name, tag);
-      vertices.push_back(node->second);
-    }
+    if (is_new) vertices.push_back(place(tag));
     return it->second;
   };
 
@@ -235,17 +188,24 @@ Mesh read_gmsh(std::string_view text, const std::string& name) {
   for (const auto& t : contents.triangles) cells.push_back({vertex(t[0]), vertex(t[1]), vertex(t[2])});
 
   std::vector<std::string> boundary_names;
-  std::map<std::int64_t, Index> boundary_number;
-  for (const auto& [tag, boundary_name] : contents.curve_names) {
+  std::map<Tag, Index> boundary_number;
+  for (const auto& [tag, boundary_name] : contents.names) {
     boundary_number[tag] = static_cast<Index>(boundary_names.size());
     boundary_names.push_back(boundary_name);
   }
   std::vector<NamedEdge> edges;
-  for (const auto& [nodes, physical] : contents.lines) {
-    const auto it = boundary_number.find(physical);
-    if (it != boundary_number.end()) edges.push_back({{vertex(nodes[0]), vertex(nodes[1])}, it->second});
+  for (const auto& [nodes, curve] : contents.lines) {
+    const auto groups = contents.groups.find(curve);
+    if (groups == contents.groups.end()) continue;
+    const auto named =
+        std::ranges::find_if(groups->second, [&](Tag tag) { return contents.names.contains(tag); });
+    if (named != groups->second.end())
+      edges.push_back({{vertex(nodes[0]), vertex(nodes[1])}, boundary_number.at(*named)});
   }
-  return make_mesh(std::move(vertices), std::move(cells), edges, std::move(boundary_names));
+  std::vector<EdgeMiddle> middles;
+  for (const auto& [ends, node] : contents.middles)
+    middles.push_back({{vertex(ends[0]), vertex(ends[1])}, place(node)});
+  return make_mesh(std::move(vertices), std::move(cells), edges, std::move(boundary_names), middles);
 }
 
 }  // namespace fpi::fluid

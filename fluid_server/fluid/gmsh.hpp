@@ -1,4 +1,5 @@
-/// Gmsh meshes, ASCII format 2.2 and 4.1: first-order triangles, and lines in named physical groups.
+/// Gmsh meshes, ASCII format 2.2 and 4.1: triangles of first or second order (also mixed), and lines in named
+/// physical groups. A line in several groups belongs to the first of them that has a name.
 #pragma once
 
 #include <string>

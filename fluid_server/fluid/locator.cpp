@@ -8,7 +8,14 @@ namespace {
 
 std::pair<Vec2, Vec2> bounding_box(const Mesh& mesh, Index cell) {
   const auto c = mesh.corners(cell);
-  return {c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])};
+  std::pair box{c[0].cwiseMin(c[1]).cwiseMin(c[2]).eval(), c[0].cwiseMax(c[1]).cwiseMax(c[2]).eval()};
+  for (const Index e : mesh.cell_edges[cell]) {
+    const Vec2 control =
+        2 * mesh.middles[e] - mesh.chord_middle(e);  // a parabola is in the hull of its ends and this
+    box.first = box.first.cwiseMin(control);
+    box.second = box.second.cwiseMax(control);
+  }
+  return box;
 }
 
 }  // namespace
@@ -69,17 +76,19 @@ std::vector<Index> Locator::near(const Vec2& lower, const Vec2& upper) const {
   return out;
 }
 
-Index Locator::find(const Vec2& x) const {
-  constexpr double round_off = -1e-10;
-  Index best = -1;
-  double best_least = round_off;
+std::optional<Place> Locator::find(const Vec2& x) const {
+  constexpr double round_off = 1e-10, off_the_circle = 1e-2;
+  std::optional<Place> best;
+  double best_least = -off_the_circle;
   for (Index c : near(x, x)) {
-    const auto l = Triangle(mesh_.corners(c)).barycentric(x);
-    const double least = std::min({l[0], l[1], l[2]});
-    if (least >= best_least) {
-      best = c;
-      best_least = least;
-    }
+    const bool is_curved = mesh_.is_curved(c);
+    const auto l = is_curved ? isoparametric_inverse(mesh_.cell_places(c), x)
+                             : Triangle(mesh_.corners(c)).barycentric(x);
+    if (!l) continue;
+    const double least = std::min({(*l)[0], (*l)[1], (*l)[2]});
+    if (least < (is_curved ? -off_the_circle : -round_off) || least < best_least) continue;
+    best = {c, *l};
+    best_least = least;
   }
   return best;
 }

@@ -1,10 +1,18 @@
 /// Which triangles are near a point or a box: a uniform grid of bins over the mesh, built once.
 #pragma once
 
+#include <optional>
+
 #include "fluid/element.hpp"
 #include "fluid/mesh.hpp"
 
 namespace fpi::fluid {
+
+/// A point of the mesh: its cell and the barycentric coordinates there.
+struct Place {
+  Index cell;
+  Barycentric l;
+};
 
 class Locator {
  public:
@@ -13,8 +21,9 @@ class Locator {
   /// Cells whose bounding box may overlap [lower, upper]; each once, ascending.
   std::vector<Index> near(const Vec2& lower, const Vec2& upper) const;
 
-  /// The cell that holds x (to round-off), or -1 outside the mesh.
-  Index find(const Vec2& x) const;
+  /// Where x is; nothing outside the mesh. Straight triangles hold what they hold to round-off, curved ones a
+  /// little more, since a parabola is not quite the circle on which a point may have been asked for.
+  std::optional<Place> find(const Vec2& x) const;
 
  private:
   int column(double x) const;

@@ -9,6 +9,8 @@
 namespace fpi::fluid {
 namespace {
 
+using EdgeNumbers = std::unordered_map<std::uint64_t, Index>;  // by edge_key
+
 std::uint64_t edge_key(Index a, Index b) {
   if (a > b) std::swap(a, b);
   return (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
@@ -30,8 +32,8 @@ void orient(Mesh& mesh) {
   }
 }
 
-std::unordered_map<std::uint64_t, Index> number_edges(Mesh& mesh) {
-  std::unordered_map<std::uint64_t, Index> number;
+EdgeNumbers number_edges(Mesh& mesh) {
+  EdgeNumbers number;
   number.reserve(2 * mesh.cells.size());
   mesh.cell_edges.resize(mesh.cells.size());
   std::vector<Index> first_vertex;  // from which the first triangle of an edge runs along it
@@ -51,8 +53,7 @@ std::unordered_map<std::uint64_t, Index> number_edges(Mesh& mesh) {
                 mesh.vertices[a].x(), mesh.vertices[a].y(), mesh.vertices[b].x(), mesh.vertices[b].y());
         require(first_vertex[edge] != a,
                 "the triangles at an edge must lie on either side of it; those from ({:g}, {:g}) to ({:g}, "
-                "{:g}) m "
-                "overlap: repair the mesh",
+                "{:g}) m overlap: repair the mesh",
                 mesh.vertices[a].x(), mesh.vertices[a].y(), mesh.vertices[b].x(), mesh.vertices[b].y());
         mesh.edge_cells[edge][1] = c;
       }
@@ -62,36 +63,76 @@ std::unordered_map<std::uint64_t, Index> number_edges(Mesh& mesh) {
   return number;
 }
 
-}  // namespace
-
-Mesh make_mesh(std::vector<Vec2> vertices, std::vector<std::array<Index, 3>> cells,
-               const std::vector<NamedEdge>& named_edges, std::vector<std::string> boundary_names) {
-  Mesh mesh;
-  mesh.vertices = std::move(vertices);
-  mesh.cells = std::move(cells);
-  mesh.boundary_names = std::move(boundary_names);
-  orient(mesh);
-  const auto number = number_edges(mesh);
+void place_middles(Mesh& mesh, const EdgeNumbers& number, const std::vector<EdgeMiddle>& middles) {
+  constexpr double straight = 1e-9;  // of the edge
   for (Index e = 0; e < mesh.n_edges(); ++e) mesh.middles.push_back(mesh.chord_middle(e));
+  std::vector<bool> is_given(mesh.edges.size());
+  for (const EdgeMiddle& middle : middles) {
+    const auto it = number.find(edge_key(middle.vertices[0], middle.vertices[1]));
+    require(
+        it != number.end(),
+        "a middle node belongs to an edge of a triangle; that at ({:g}, {:g}) m does not: repair the mesh",
+        middle.place.x(), middle.place.y());
+    const Index e = it->second;
+    const double close =
+        straight * (mesh.vertices[mesh.edges[e][1]] - mesh.vertices[mesh.edges[e][0]]).norm();
+    require(!is_given[e] || (middle.place - mesh.middles[e]).norm() <= close,
+            "an edge has one middle node; one edge has ({:g}, {:g}) and ({:g}, {:g}) m: repair the mesh",
+            mesh.middles[e].x(), mesh.middles[e].y(), middle.place.x(), middle.place.y());
+    is_given[e] = true;
+    if (!((middle.place - mesh.chord_middle(e)).norm() <= close)) mesh.middles[e] = middle.place;
+  }
+}
 
+void name_boundary(Mesh& mesh, const EdgeNumbers& number, const std::vector<NamedEdge>& named_edges) {
   std::vector<Index> boundary_of(mesh.edges.size(), -1);
   for (const NamedEdge& named : named_edges) {
     const auto it = number.find(edge_key(named.vertices[0], named.vertices[1]));
     require(it != number.end(), "the boundary \"{}\" has an edge that no triangle has: repair the mesh",
             mesh.boundary_names[named.boundary]);
-    boundary_of[it->second] = named.boundary;
+    if (boundary_of[it->second] == -1) boundary_of[it->second] = named.boundary;
   }
   for (Index e = 0; e < mesh.n_edges(); ++e) {
     if (mesh.edge_cells[e][1] != -1) continue;
     const Vec2 a = mesh.vertices[mesh.edges[e][0]], b = mesh.vertices[mesh.edges[e][1]];
     require(boundary_of[e] != -1,
             "every outer edge must belong to a named boundary; the one from ({:g}, {:g}) to ({:g}, {:g}) m "
-            "does not: "
-            "add it to a physical group",
+            "does not: add it to a physical group",
             a.x(), a.y(), b.x(), b.y());
     mesh.boundary.push_back({e, mesh.edge_cells[e][0], boundary_of[e]});
   }
+}
+
+}  // namespace
+
+Mesh make_mesh(std::vector<Vec2> vertices, std::vector<std::array<Index, 3>> cells,
+               const std::vector<NamedEdge>& named_edges, std::vector<std::string> boundary_names,
+               const std::vector<EdgeMiddle>& middles) {
+  Mesh mesh;
+  mesh.vertices = std::move(vertices);
+  mesh.cells = std::move(cells);
+  mesh.boundary_names = std::move(boundary_names);
+  orient(mesh);
+  const EdgeNumbers number = number_edges(mesh);
+  place_middles(mesh, number, middles);
+  check_not_folded(mesh);
+  name_boundary(mesh, number, named_edges);
   return mesh;
+}
+
+void check_not_folded(const Mesh& mesh) {
+  for (Index c = 0; c < mesh.n_cells(); ++c) {
+    std::optional<Vec2> place;
+    if (mesh.is_curved(c))
+      place = folded_place(mesh.cell_places(c));
+    else if (!(mesh.area(c) > 0))
+      place = mesh.vertices[mesh.cells[c][0]];
+    if (place)
+      fail(
+          "triangles must not be folded or turned over; triangle {} is at ({:g}, {:g}) m: refine the mesh "
+          "there",
+          c, place->x(), place->y());
+  }
 }
 
 }  // namespace fpi::fluid

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fluid/isoparametric.hpp"
 #include "fluid/types.hpp"
 
 namespace fpi::fluid {
@@ -53,9 +54,23 @@ struct Mesh {
     const auto& e = cell_edges[cell];
     return is_curved_edge(e[0]) || is_curved_edge(e[1]) || is_curved_edge(e[2]);
   }
+  CellNodes cell_places(Index cell) const {
+    const auto c = corners(cell);
+    const auto& e = cell_edges[cell];
+    return {c[0], c[1], c[2], middles[e[0]], middles[e[1]], middles[e[2]]};
+  }
   /// P2 nodes of an edge: its vertices and its middle.
   std::array<Index, 3> edge_nodes(Index edge) const {
     return {edges[edge][0], edges[edge][1], n_vertices() + edge};
+  }
+  /// The same in the way round its triangle, so that the outside is to the right.
+  std::array<Index, 3> edge_nodes(const BoundaryEdge& b) const {
+    const auto& v = cells[b.cell];
+    const int k = cell_edges[b.cell][0] == b.edge ? 0 : cell_edges[b.cell][1] == b.edge ? 1 : 2;
+    return {v[k], v[(k + 1) % 3], n_vertices() + b.edge};
+  }
+  EdgeNodes places(const std::array<Index, 3>& edge_nodes) const {
+    return {vertices[edge_nodes[0]], vertices[edge_nodes[1]], node_position(edge_nodes[2])};
   }
   /// Of the triangle through the corners [m²].
   double area(Index cell) const {
@@ -72,9 +87,20 @@ struct NamedEdge {
   Index boundary;
 };
 
-/// Numbers the edges and checks the mesh: triangles turned counter-clockwise, no degenerate triangle, every
-/// outer edge named, no more than two triangles an edge. Throws Error naming the place.
+/// The place of an edge's middle node [m]; edges without one are straight.
+struct EdgeMiddle {
+  std::array<Index, 2> vertices;
+  Vec2 place;
+};
+
+/// Numbers the edges and checks the mesh: triangles turned counter-clockwise, no degenerate or folded
+/// triangle, every outer edge named (by the first of its names), no more than two triangles an edge. Middles
+/// less than 1e-9 of an edge off its chord are put there. Throws Error naming the place.
 Mesh make_mesh(std::vector<Vec2> vertices, std::vector<std::array<Index, 3>> cells,
-               const std::vector<NamedEdge>& named_edges, std::vector<std::string> boundary_names);
+               const std::vector<NamedEdge>& named_edges, std::vector<std::string> boundary_names,
+               const std::vector<EdgeMiddle>& middles = {});
+
+/// Throws Error with the place where a triangle is folded by its curved edges, or turned over.
+void check_not_folded(const Mesh& mesh);
 
 }  // namespace fpi::fluid

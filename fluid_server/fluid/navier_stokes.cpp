@@ -228,11 +228,11 @@ Vector NavierStokes::velocity_with_bodies() const {
 }
 
 std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
-  const Index c = space_.locator.find(x);
-  if (c < 0 || (accepted_system_ && !accepted_system_->cut().is_active(c))) return std::nullopt;
+  const std::optional<Place> place = space_.locator.find(x);
+  if (!place || (accepted_system_ && !accepted_system_->cut().is_active(place->cell))) return std::nullopt;
   for (const Interface& interface : accepted_interfaces_)  // a point on the circle itself is in the fluid
     if ((x - interface.rigid.centre).norm() < (1 - 1e-6) * interface.radius) return std::nullopt;
-  const auto l = space_.triangles[c].barycentric(x);
+  const auto& [c, l] = *place;
   const Padded n = p2_at(l);
   const auto nodes = space_.mesh.cell_nodes(c);
   Vec2 u = Vec2::Zero();

@@ -67,7 +67,7 @@ class NavierStokes {
   /// the solution itself only has what cut elements extend.
   Vector velocity_with_bodies() const;
   Index n_unknowns() const { return system_ ? system_->numbering().n_equations : 0; }
-  bool has(const Vec2& x) const { return space_.locator.find(x) >= 0; }
+  bool has(const Vec2& x) const { return space_.locator.find(x).has_value(); }
   /// Velocity [m/s] and pressure [Pa] of the accepted state; nothing inside a body or outside the mesh.
   std::optional<std::pair<Vec2, double>> at(const Vec2& x) const;
   /// Force of the fluid on each named boundary that holds it, as of the last accept [N/m]; like the

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "fluid/bisection.hpp"
+#include "fluid/size_field.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -28,6 +30,57 @@ std::vector<double> growing_distances(double length, double first, double growth
   const double scale = length / d.back();
   for (double& value : d) value *= scale;
   return d;
+}
+
+/// Triangles between grid lines with the diagonal as edge 01, as Bisection wants them.
+Bisection halved_cells(const std::vector<double>& x, const std::vector<double>& y) {
+  const Index nx = static_cast<Index>(x.size()) - 1, ny = static_cast<Index>(y.size()) - 1;
+  require(nx >= 1 && ny >= 1, "a rectangle needs at least one cell each way; got {} × {}", nx, ny);
+  require(static_cast<double>(nx) * ny <= most_cells,
+          "at most {:g} cells of two triangles are taken; got {} × {}: make the cells larger", most_cells, nx,
+          ny);
+  std::vector<Vec2> vertices;
+  for (double yj : y)
+    for (double xi : x) vertices.emplace_back(xi, yj);
+
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index j = 0; j < ny; ++j) {
+    for (Index i = 0; i < nx; ++i) {
+      const Index a = j * (nx + 1) + i, b = a + 1, d = a + nx + 1, c = d + 1;
+      const bool at_left = i == 0, at_right = i == nx - 1, at_bottom = j == 0, at_top = j == ny - 1;
+      bool rising = (i + j) % 2 == 0;  // diagonal from lower left to upper right
+      if ((at_left && at_bottom) || (at_right && at_top)) rising = true;
+      if ((at_left && at_top) || (at_right && at_bottom)) rising = false;
+      if (rising) {
+        triangles.push_back({c, a, b});
+        triangles.push_back({a, c, d});
+      } else {
+        triangles.push_back({b, d, a});
+        triangles.push_back({d, b, c});
+      }
+    }
+  }
+  return {std::move(vertices), std::move(triangles)};
+}
+
+/// Halves a triangle while it is larger than wanted anywhere in it, or has all its vertices on the boundary.
+/// Halves that neighbours leave behind are smaller, so one pass over all triangles is enough.
+void refine(Bisection& mesh, const Vec2& lower, const Vec2& upper,
+            std::span<const scene::Refinement> refinements) {
+  const auto is_outer = [&](Index v) {
+    const Vec2& x = mesh.vertices()[v];
+    return x.x() == lower.x() || x.x() == upper.x() || x.y() == lower.y() || x.y() == upper.y();
+  };
+  const auto is_too_large = [&](Index t) {
+    const auto& [va, vb, vc] = mesh.triangle(t);
+    const Vec2 &a = mesh.vertices()[va], &b = mesh.vertices()[vb], &c = mesh.vertices()[vc];
+    const Vec2 centre = (a + b + c) / 3;
+    const double reach = std::sqrt(
+        std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm()}));
+    return std::sqrt(cross(b - a, c - a)) > wanted_size(refinements, centre, reach);
+  };
+  for (Index t = 0; t < mesh.n_triangles(); ++t)
+    while (std::ranges::all_of(mesh.triangle(t), is_outer) || is_too_large(t)) mesh.bisect(t);
 }
 
 }  // namespace
@@ -64,47 +117,20 @@ std::vector<double> graded_lines(double lower, double upper, double fine_lower, 
   return lines;
 }
 
-Mesh make_rectangle(const std::vector<double>& x, const std::vector<double>& y) {
-  const Index nx = static_cast<Index>(x.size()) - 1, ny = static_cast<Index>(y.size()) - 1;
-  require(nx >= 1 && ny >= 1, "a rectangle needs at least one cell each way; got {} × {}", nx, ny);
-  require(static_cast<double>(nx) * ny <= most_cells,
-          "at most {:g} cells of two triangles are taken; got {} × {}: make the cells larger", most_cells, nx,
-          ny);
-  const auto vertex = [&](Index i, Index j) { return j * (nx + 1) + i; };
-
-  std::vector<Vec2> vertices;
-  for (double yj : y)
-    for (double xi : x) vertices.emplace_back(xi, yj);
-
-  std::vector<std::array<Index, 3>> cells;
-  for (Index j = 0; j < ny; ++j) {
-    for (Index i = 0; i < nx; ++i) {
-      const Index a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
-      const bool at_left = i == 0, at_right = i == nx - 1, at_bottom = j == 0, at_top = j == ny - 1;
-      bool rising = (i + j) % 2 == 0;  // diagonal from lower left to upper right
-      if ((at_left && at_bottom) || (at_right && at_top)) rising = true;
-      if ((at_left && at_top) || (at_right && at_bottom)) rising = false;
-      if (rising) {
-        cells.push_back({a, b, c});
-        cells.push_back({a, c, d});
-      } else {
-        cells.push_back({a, b, d});
-        cells.push_back({b, c, d});
-      }
-    }
-  }
+Mesh make_rectangle(const std::vector<double>& x, const std::vector<double>& y,
+                    std::span<const scene::Refinement> refinements) {
+  Bisection mesh = halved_cells(x, y);
+  if (!refinements.empty()) refine(mesh, {x.front(), y.front()}, {x.back(), y.back()}, refinements);
 
   enum : Index { left, right, bottom, top };
   std::vector<NamedEdge> edges;
-  for (Index j = 0; j < ny; ++j) {
-    edges.push_back({{vertex(0, j), vertex(0, j + 1)}, left});
-    edges.push_back({{vertex(nx, j), vertex(nx, j + 1)}, right});
+  for (const auto& edge : mesh.boundary()) {
+    const Vec2 &a = mesh.vertices()[edge[0]], &b = mesh.vertices()[edge[1]];
+    const bool upright = a.x() == b.x();
+    const Index side = upright ? (a.x() == x.front() ? left : right) : (a.y() == y.front() ? bottom : top);
+    edges.push_back({edge, side});
   }
-  for (Index i = 0; i < nx; ++i) {
-    edges.push_back({{vertex(i, 0), vertex(i + 1, 0)}, bottom});
-    edges.push_back({{vertex(i, ny), vertex(i + 1, ny)}, top});
-  }
-  return make_mesh(std::move(vertices), std::move(cells), edges, {"left", "right", "bottom", "top"});
+  return make_mesh(mesh.vertices(), mesh.triangles(), edges, {"left", "right", "bottom", "top"});
 }
 
 }  // namespace fpi::fluid

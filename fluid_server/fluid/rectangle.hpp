@@ -1,7 +1,11 @@
-/// The built-in mesh: a rectangle of right triangles, uniform or graded, with sides left, right, bottom, top.
+/// The built-in mesh: a rectangle of right triangles between grid lines, uniform or graded, which refinements
+/// halve where they want smaller ones; with sides left, right, bottom, top.
 #pragma once
 
+#include <span>
+
 #include "fluid/mesh.hpp"
+#include "scene/fluid.hpp"
 
 namespace fpi::fluid {
 
@@ -14,7 +18,10 @@ std::vector<double> graded_lines(double lower, double upper, double fine_lower, 
 std::vector<double> uniform_lines(double lower, double upper, Index cells);
 
 /// Triangles between grid lines, the diagonals alternating; at the four corners they end in the corner, so
-/// that no triangle has two sides on the boundary (its corner pressure would not be controlled).
-Mesh make_rectangle(const std::vector<double>& x, const std::vector<double>& y);
+/// that no triangle has two sides on the boundary (its corner pressure would not be controlled). With
+/// refinements they are halved until every one is as small as is wanted anywhere in it (Mesh::size against
+/// wanted_size); then none has all its vertices on the boundary either.
+Mesh make_rectangle(const std::vector<double>& x, const std::vector<double>& y,
+                    std::span<const scene::Refinement> refinements = {});
 
 }  // namespace fpi::fluid

@@ -1,6 +1,7 @@
 #include "fluid/scene_mesh.hpp"
 
 #include "core/error.hpp"
+#include "fluid/circle_fit.hpp"
 #include "fluid/gmsh.hpp"
 #include "fluid/rectangle.hpp"
 
@@ -21,10 +22,14 @@ std::vector<double> lines(const scene::Mesh& m, int axis) {
 }  // namespace
 
 Mesh scene_mesh(const scene::Mesh& parameters, const std::string& file_name, std::string_view file_text) {
-  if (parameters.file.empty()) return make_rectangle(lines(parameters, 0), lines(parameters, 1));
+  if (parameters.file.empty())
+    return make_rectangle(lines(parameters, 0), lines(parameters, 1), parameters.refinements);
   require(!file_text.empty(), "the bytes of the mesh {} are required; got none: the coupler must send them",
           parameters.file);
-  return read_gmsh(file_text, file_name);
+  Mesh mesh = read_gmsh(file_text, file_name);
+  for (const scene::Circle& circle : parameters.circles)
+    fit_circle(mesh, circle.boundary, {circle.centre[0], circle.centre[1]}, circle.radius);
+  return mesh;
 }
 
 }  // namespace fpi::fluid

@@ -1,6 +1,7 @@
 """The words of `./fpi`, set-up and build, without running a scene."""
 
 import io
+import shutil
 import tempfile
 import unittest
 from contextlib import redirect_stdout
@@ -9,7 +10,7 @@ from unittest import mock
 
 from fakes import FakeTest
 
-from launcher import build, common, packages, processes, run, scenes
+from launcher import build, common, mesh, packages, processes, run, scenes
 
 
 class Words(FakeTest):
@@ -36,6 +37,30 @@ class Words(FakeTest):
         self.assertEqual(len(out.splitlines()), len(list(scenes.FOLDER.glob("*.toml"))))
         for line in out.splitlines():
             self.assertGreater(len(line.split()), 3, line)
+
+    def test_mesh_without_gmsh_says_what_to_install(self):
+        with mock.patch.object(mesh.shutil, "which", lambda name: None):
+            with self.assertRaises(common.Refusal) as refused:
+                mesh.make("cylinder")
+        self.assertIn("apt-get install -y gmsh", str(refused.exception))
+
+    def test_mesh_of_an_unknown_geometry_names_those_that_there_are(self):
+        status, _, err = self.fpi("mesh", "no_such_geometry")
+        self.assertEqual(status, 1)
+        self.assertIn("there is no no_such_geometry", err)
+        self.assertIn("cylinder, step_channel", err)
+
+    @unittest.skipUnless(shutil.which("gmsh"), "gmsh is not installed")
+    def test_mesh_is_of_second_order_and_finer_for_a_smaller_size(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sizes = []
+            for size in ("4", "2"):
+                file = Path(folder) / "ring.msh"
+                status, out, err = self.fpi("mesh", "taylor_couette", "--size", size, "--out", str(file))
+                self.assertEqual((status, out), (0, f"{file}\n"), err)
+                sizes.append(len(file.read_text()))
+                self.assertRegex(file.read_text(), r"\n2 \d+ 9 \d+\n")  # a block of six-node triangles
+            self.assertGreater(sizes[1], 2 * sizes[0])
 
 
 class SetUp(unittest.TestCase):

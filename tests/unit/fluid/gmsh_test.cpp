@@ -43,8 +43,50 @@ TEST(Gmsh, both_formats_give_the_same_mesh) {
   }
 }
 
+// The same square with a parabolic left side: triangle 1 2 3 of first order, triangle 1 3 4 of second order
+// with the middles 10 of 1–3, 11 of 3–4, 12 of 4–1.
+std::string curved(std::string text) {
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  if (text[14] == '2') {
+    replace("$Nodes\n5\n", "$Nodes\n8\n10 .5 .5 0\n11 .5 1 0\n12 -.1 .5 0\n");
+    replace("5 1 2 2 4 4 1\n", "5 8 2 2 4 4 1 12\n");
+    replace("7 2 2 3 1 1 3 4\n", "7 9 2 3 1 1 3 4 10 11 12\n");
+  } else {
+    replace("1 5 1 9\n", "2 8 1 12\n2 1 0 3\n10\n11\n12\n.5 .5 0\n.5 1 0\n-.1 .5 0\n");
+    replace("$Elements\n6 7 1 7", "$Elements\n7 7 1 7");
+    replace("1 4 1 1\n5 4 1\n", "1 4 8 1\n5 4 1 12\n");
+    replace("2 1 2 2\n6 1 2 3\n7 1 3 4\n", "2 1 2 1\n6 1 2 3\n2 1 9 1\n7 1 3 4 10 11 12\n");
+  }
+  return text;
+}
+
+TEST(Gmsh, second_order_triangles_have_their_middles_where_the_file_says) {
+  for (const std::string& text : {format_2, format_4}) {
+    const Mesh mesh = read_gmsh(curved(text), "curved.msh");
+    EXPECT_EQ(mesh.n_vertices(), 4);
+    EXPECT_EQ(mesh.n_cells(), 2);
+    for (const BoundaryEdge& b : mesh.boundary) EXPECT_EQ(mesh.is_curved_edge(b.edge), b.boundary == 1);
+    for (Index e = 0; e < mesh.n_edges(); ++e) {
+      if (!mesh.is_curved_edge(e)) continue;
+      EXPECT_EQ(mesh.middles[e], Vec2(-0.1, 0.5));
+    }
+  }
+}
+
+TEST(Gmsh, a_curve_in_several_groups_takes_the_first_that_has_a_name) {
+  std::string text = format_4;
+  text.replace(text.find("3 0 1 0 1 1 0 1 1 "), 18, "3 0 1 0 1 1 0 3 9 2 1 ");
+  const Mesh mesh = read_gmsh(text, "groups.msh");
+  for (const BoundaryEdge& b : mesh.boundary) {
+    const Vec2 middle = mesh.middles[b.edge];
+    EXPECT_EQ(b.boundary == 1, middle.x() == 0 || middle.y() == 1);
+  }
+}
+
 TEST(Gmsh, a_file_cut_short_anywhere_is_refused_or_read_and_never_crashes) {
-  for (const std::string& text : {format_2, format_4})
+  for (const std::string& text : {format_2, format_4, curved(format_2), curved(format_4)})
     for (std::size_t n = 0; n + 14 < text.size(); ++n)
       EXPECT_THROW(read_gmsh(text.substr(0, n), "cut.msh"), Error) << n;
 }
@@ -61,7 +103,7 @@ TEST(Gmsh, what_cannot_be_read_is_said_with_file_and_line) {
   };
   EXPECT_NE(message(format_2, "2.2 0 8", "2.2 1 8").find("m.msh:2: an ASCII file"), std::string::npos);
   EXPECT_NE(message(format_2, "2.2 0 8", "3.0 0 8").find("format 2.2 or 4.1"), std::string::npos);
-  EXPECT_NE(message(format_2, "6 2 2 3 1 1 2 3", "6 9 2 3 1 1 2 3").find("ElementOrder = 1"),
+  EXPECT_NE(message(format_2, "6 2 2 3 1 1 2 3", "6 3 2 3 1 1 2 3").find("ElementOrder = 1 or 2"),
             std::string::npos);
   EXPECT_NE(message(format_2, "2 1 0 0", "2 one 0 0").find("a number is required; got one"),
             std::string::npos);

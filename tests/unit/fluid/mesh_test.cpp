@@ -47,6 +47,12 @@ TEST(Mesh, faults_are_refused_with_the_place) {
   EXPECT_THROW(make_mesh(vertices, {{0, 1, 2}, {0, 1, 2}}, {}, {}), Error);  // one on the other
 }
 
+TEST(Mesh, an_edge_with_two_names_has_the_first) {
+  const Mesh mesh = make_mesh({{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}},
+                              {{{0, 1}, 1}, {{1, 2}, 1}, {{2, 0}, 1}, {{1, 0}, 0}}, {"a", "b"});
+  for (const BoundaryEdge& b : mesh.boundary) EXPECT_EQ(b.boundary, 1);
+}
+
 TEST(Mesh, graded_lines_keep_the_fine_size_and_grow_by_the_ratio) {
   const auto lines = graded_lines(0, 10, 4, 5, 0.1, 1.3, 0.7);
   EXPECT_EQ(lines.front(), 0);
@@ -79,14 +85,15 @@ TEST(Locator, finds_the_triangle_of_every_point) {
   std::uniform_real_distribution<double> uniform(0, 1);
   for (int i = 0; i < 1000; ++i) {
     const Vec2 x(2 * uniform(random), uniform(random));
-    const Index c = locator.find(x);
-    ASSERT_GE(c, 0);
-    for (double l : Triangle(mesh.corners(c)).barycentric(x)) EXPECT_GE(l, -1e-10);
+    const auto place = locator.find(x);
+    ASSERT_TRUE(place);
+    for (double l : place->l) EXPECT_GE(l, -1e-10);
+    EXPECT_NEAR((Triangle(mesh.corners(place->cell)).point(place->l) - x).norm(), 0, 1e-14);
   }
-  EXPECT_GE(locator.find({0, 0}), 0);
-  EXPECT_GE(locator.find({2, 1}), 0);
-  EXPECT_EQ(locator.find({2.1, 0.5}), -1);
-  EXPECT_EQ(locator.find({-1, -1}), -1);
+  EXPECT_TRUE(locator.find({0, 0}));
+  EXPECT_TRUE(locator.find({2, 1}));
+  EXPECT_FALSE(locator.find({2.1, 0.5}));
+  EXPECT_FALSE(locator.find({-1, -1}));
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+/// Geometry of triangles and edges whose middle nodes may lie off the chord: places and derivatives of the P2
+/// map, and its inverse. A straight triangle is the special case with an affine map.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+
+#include "fluid/types.hpp"
+
+namespace fpi::fluid {
+
+using Barycentric = std::array<double, 3>;
+/// Places of the P2 nodes of a cell [m], in the order of Mesh::cell_nodes.
+using CellNodes = std::array<Vec2, 6>;
+/// Places of the P2 nodes of an edge [m]: start, end, middle.
+using EdgeNodes = std::array<Vec2, 3>;
+
+/// x = Σ N_i(l) x_i.
+Vec2 isoparametric_point(const CellNodes& nodes, const Barycentric& l);
+/// Columns ∂x/∂l_1 and ∂x/∂l_2 where l_0 = 1 − l_1 − l_2; its determinant is twice the local area [m²].
+Eigen::Matrix2d isoparametric_jacobian(const CellNodes& nodes, const Barycentric& l);
+/// The l with x(l) = x by Newton's method, also a little outside of the triangle; nothing where there is none
+/// near.
+std::optional<Barycentric> isoparametric_inverse(const CellNodes& nodes, const Vec2& x);
+/// Where the map is folded: a corner, middle or quadrature point whose Jacobian is not positive.
+std::optional<Vec2> folded_place(const CellNodes& nodes);
+
+/// The parabola through the nodes of an edge at s in [0, 1], from start to end.
+Vec2 edge_point(const EdgeNodes& nodes, double s);
+/// dx/ds [m]; its norm is the length element, (y, −x) of it the normal to the right of the way.
+Vec2 edge_tangent(const EdgeNodes& nodes, double s);
+
+}  // namespace fpi::fluid
