@@ -13,14 +13,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PEERS = Path(__file__).resolve().parent / "peers"
 DRAG = 5.57953523384  # Schäfer & Turek case 2D-1, reference value of the FeatFlow group
-LADDER = {8: 0.0125, 16: 0.00625, 32: 0.003125}  # D/h: cell size [m] for D = 0.1 m
+LADDER = {8: 0.0125, 16: 0.00625, 32: 0.003125}  # D/h: size on the cylinder [m] for D = 0.1 m
 
 
 def ours(ratio: int, folder: Path) -> dict:
     """One run of configs/cylinder_steady.toml with the given D/h; its summary."""
     run = folder / f"embedded-{ratio}"
     command = [str(ROOT / "fpi"), "run", "cylinder_steady", "--out", str(run), "--json",
-               "--set", f"fluid.mesh.cell_size={LADDER[ratio]}", "--set", "output.fields=false"]
+               "--set", f"fluid.mesh.refinements.0.size={LADDER[ratio]}", "--set", "output.fields=false"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"bench: `{' '.join(command)}` ended with status {done.returncode}:\n{done.stderr}")

@@ -30,7 +30,7 @@ Bisection::Bisection(std::vector<Vec2> vertices, std::vector<std::array<Index, 3
 }
 
 void Bisection::bisect(Index t) {
-  constexpr Index most = 20'000'000;
+  constexpr Index most = 5'000'000;
   if (n_triangles() >= most)
     fail("at most {:g} triangles are taken; the refinement asks for more: make its size larger",
          double{most});

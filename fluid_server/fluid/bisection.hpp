@@ -17,7 +17,7 @@ class Bisection {
   Bisection(std::vector<Vec2> vertices, std::vector<std::array<Index, 3>> triangles);
 
   /// Halves a triangle, and neighbours where conformity asks for it. The triangle's number becomes one half;
-  /// the other and those of neighbours are numbered from n_triangles() on. Throws Error beyond 2e7 triangles.
+  /// the other and those of neighbours are numbered from n_triangles() on. Throws Error beyond 5e6 triangles.
   void bisect(Index triangle);
 
   Index n_triangles() const { return static_cast<Index>(triangles_.size()); }

@@ -1,8 +1,8 @@
-/// Geometry of triangles and edges whose middle nodes may lie off the chord: places and derivatives of the P2
-/// map, and its inverse. A straight triangle is the special case with an affine map.
+/// Geometry of triangles and edges whose middle nodes may lie off the chord: the inverse of the P2 map, where
+/// it is folded, and parabolas. The map itself and its derivatives are position_at and metric_at of
+/// element.hpp.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <optional>
 
@@ -16,12 +16,8 @@ using CellNodes = std::array<Vec2, 6>;
 /// Places of the P2 nodes of an edge [m]: start, end, middle.
 using EdgeNodes = std::array<Vec2, 3>;
 
-/// x = Σ N_i(l) x_i.
-Vec2 isoparametric_point(const CellNodes& nodes, const Barycentric& l);
-/// Columns ∂x/∂l_1 and ∂x/∂l_2 where l_0 = 1 − l_1 − l_2; its determinant is twice the local area [m²].
-Eigen::Matrix2d isoparametric_jacobian(const CellNodes& nodes, const Barycentric& l);
-/// The l with x(l) = x by Newton's method, also a little outside of the triangle; nothing where there is none
-/// near.
+/// The l with Σ N_i(l) x_i = x by Newton's method, also a little outside of the triangle; nothing where there
+/// is none near.
 std::optional<Barycentric> isoparametric_inverse(const CellNodes& nodes, const Vec2& x);
 /// Where the map is folded: a corner, middle or quadrature point whose Jacobian is not positive.
 std::optional<Vec2> folded_place(const CellNodes& nodes);

@@ -20,17 +20,10 @@ Space::Space(Mesh mesh_in, const std::map<std::string, scene::Boundary>& conditi
     if (!mesh.is_curved(c)) continue;
     curved_index_[c] = static_cast<Index>(curved_metrics_.size());
     curved_metrics_.emplace_back();
-    const auto nodes = node_positions(c);
+    const auto nodes = mesh.cell_places(c);
     for (const ElementPoint& point : curved_points())
       curved_metrics_.back().push_back(metric_at(nodes, point.shape));
   }
-}
-
-std::array<Vec2, 6> Space::node_positions(Index cell) const {
-  const auto nodes = mesh.cell_nodes(cell);
-  std::array<Vec2, 6> positions;
-  for (int i = 0; i < 6; ++i) positions[i] = mesh.node_position(nodes[i]);
-  return positions;
 }
 
 }  // namespace fpi::fluid

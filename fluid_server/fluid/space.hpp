@@ -37,7 +37,6 @@ struct Space {
     if (curved_index_[cell] < 0) return {standard_points(), {&metrics[cell], 1}};
     return {curved_points(), curved_metrics_[curved_index_[cell]]};
   }
-  std::array<Vec2, 6> node_positions(Index cell) const;
 
  private:
   std::vector<Index> curved_index_;                          // of each cell, −1 where it is straight

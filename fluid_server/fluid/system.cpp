@@ -173,7 +173,7 @@ void System::set_load(double t, const std::array<Expression, 2>& body_force) {
     const Index c = active_cells_[k];
     const Quadrature rule = quadrature(k);
     const auto nodes = space_.mesh.cell_nodes(c);
-    const auto positions = space_.node_positions(c);
+    const auto positions = space_.mesh.cell_places(c);
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       const Padded& n = rule.points[q].shape.n;
       const Vec2 x = position_at(positions, n);
