@@ -13,6 +13,7 @@ BUILD = {
     "pkg-config": "finds the libraries below",
     "libeigen3-dev": "dense and sparse matrices",
     "libsuitesparse-dev": "UMFPACK, the sparse direct solver",
+    "libmumps-seq-dev": "MUMPS, the faster one of the two direct solvers",
     "libopenblas-dev": "the dense kernels under UMFPACK",
     "libzmq3-dev": "messages between the programs",
     "cppzmq-dev": "the same in C++",

@@ -180,6 +180,7 @@ struct Fluid {
   std::optional<double> kinematic_viscosity;  ///< ν [m²/s]
   bool convection = true;
   std::string viscous_form = "symmetric";
+  std::string linear_solver = "umfpack";
   double newmark_gamma = 0.5;                           ///< γ of paper eq. (10)
   std::vector<std::string> body_force{"0", "0"};        ///< ρb [N/m³], besides gravity
   std::vector<std::string> initial_velocity{"0", "0"};  ///< [m/s]
@@ -189,6 +190,7 @@ struct Fluid {
   Embedding embedding;
 
   static constexpr std::array<std::string_view, 2> viscous_forms{"symmetric", "gradient"};
+  static constexpr std::array<std::string_view, 2> linear_solvers{"umfpack", "mumps"};
 
   void declare(ParameterVisitor& v) {
     launch.declare(v);
@@ -204,6 +206,9 @@ struct Fluid {
         {"viscous_form", "",
          "symmetric: 2μ ε(u):ε(w), traction σn at open boundaries; gradient: μ ∇u:∇w, as the DFG references"},
         viscous_form, viscous_forms);
+    v.choice({"linear_solver", "",
+              "direct solver: umfpack, or mumps, the faster one where the build has it (libmumps-seq-dev)"},
+             linear_solver, linear_solvers);
     v.real({"newmark_gamma", "", "γ of Newmark's method: 0.5 second order, 1 backward Euler"}, newmark_gamma,
            between(0.5, 1));
     v.formulas({"body_force", "N/m³", "force density besides gravity, formulas of x, y, t"}, body_force,

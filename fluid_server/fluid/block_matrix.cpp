@@ -1,6 +1,9 @@
 #include "fluid/block_matrix.hpp"
 
 #include <algorithm>
+#include <limits>
+
+#include "core/error.hpp"
 
 namespace fpi::fluid {
 
@@ -49,6 +52,9 @@ void BlockMatrix::finish() {
       }
     }
     std::sort(rows.begin(), rows.end());
+    require(row_.size() + rows.size() < std::numeric_limits<Index>::max(),
+            "a matrix of fewer than {} entries is required; {} unknowns have more: take a coarser mesh",
+            std::numeric_limits<Index>::max(), n_);
     for (Index row : rows) {
       place_of_row[row] = static_cast<Index>(row_.size());
       row_.push_back(row);

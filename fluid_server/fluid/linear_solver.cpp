@@ -1,72 +1,67 @@
 #include "fluid/linear_solver.hpp"
 
-#include <umfpack.h>
-
+#include <algorithm>
 #include <array>
 
 #include "core/error.hpp"
+#ifdef FPI_MUMPS
+#include "fluid/mumps.hpp"
+#endif
+#include "fluid/umfpack.hpp"
 
 namespace fpi::fluid {
 namespace {
 
-using Control = std::array<double, UMFPACK_CONTROL>;
-using Info = std::array<double, UMFPACK_INFO>;
+struct Backend {
+  std::string_view name;
+  std::shared_ptr<const Analysis> (*analyse)(const BlockMatrix&);
+};
 
-/// numerics.md section 3: the pattern is symmetric; the default pivot tolerance fills in from the
-/// multipliers' pivots; iterative refinement is left to the outer iteration. From some 200 000 unknowns
-/// nested dissection pays.
-Control control_for(Index n) {
-  Control control;
-  umfpack_di_defaults(control.data());
-  control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
-  control[UMFPACK_ORDERING] = n < 200000 ? UMFPACK_ORDERING_AMD : UMFPACK_ORDERING_METIS;
-  control[UMFPACK_PIVOT_TOLERANCE] = 1e-3;
-  control[UMFPACK_IRSTEP] = 0;
-  return control;
-}
+constexpr auto backends = std::to_array<Backend>({
+    {"umfpack", analyse_with_umfpack},
+#ifdef FPI_MUMPS
+    {"mumps", analyse_with_mumps},
+#endif
+});
 
-void check(int status, const char* phase, Index n) {
-  require(status != UMFPACK_ERROR_out_of_memory,
-          "the {} of {} unknowns needs more memory than there is: take a coarser mesh or a larger machine",
-          phase, n);
-  require(status >= UMFPACK_OK, "the {} of {} unknowns failed: UMFPACK status {}; please report it", phase, n,
-          status);
+const Backend& find(std::string_view solver) {
+  const auto* backend = std::ranges::find(backends, solver, &Backend::name);
+  require(backend != backends.end(),
+          "linear_solver must be one that this build has ({}); got \"{}\": take one of these, or install its "
+          "library and build again (for mumps: libmumps-seq-dev, -DFPI_MUMPS=ON)",
+          fmt::join(linear_solvers(), ", "), solver);
+  return *backend;
 }
 
 }  // namespace
 
-Analysis::Analysis(const BlockMatrix& matrix) {
-  const Control control = control_for(matrix.n());
-  Info info;
-  const int status =
-      umfpack_di_symbolic(matrix.n(), matrix.n(), matrix.column_start().data(), matrix.row().data(), nullptr,
-                          &symbolic_, control.data(), info.data());
-  check(status, "analysis", matrix.n());
-}
-
-Analysis::~Analysis() { umfpack_di_free_symbolic(&symbolic_); }
-
-Factor::Factor(std::shared_ptr<const Analysis> analysis, const BlockMatrix& matrix)
-    : analysis_(std::move(analysis)), n_(matrix.n()) {
-  const Control control = control_for(n_);
-  Info info;
-  const int status = umfpack_di_numeric(matrix.column_start().data(), matrix.row().data(), matrix.values(),
-                                        analysis_->handle(), &numeric_, control.data(), info.data());
-  is_singular_ = status == UMFPACK_WARNING_singular_matrix;
-  check(status, "factorisation", n_);
-}
-
-Factor::~Factor() { umfpack_di_free_numeric(&numeric_); }
-
 Vector Factor::solve(const Vector& b) const {
-  const Control control = control_for(n_);
-  Info info;
-  Vector x(b.size());
-  // The matrix itself is needed for iterative refinement only.
-  const int status = umfpack_di_solve(UMFPACK_A, nullptr, nullptr, nullptr, x.data(), b.data(), numeric_,
-                                      control.data(), info.data());
-  check(status, "solution", n_);
-  return x;
+  require(!is_singular_, "a regular matrix is required to solve with; this one is singular");
+  require(b.size() == n_, "a right-hand side of {} entries is required; got {}", n_, b.size());
+  return back_solve(b);
+}
+
+std::shared_ptr<const Factor> Analysis::factor(const BlockMatrix& matrix) const {
+  require(
+      matrix.n() == n_ && matrix.non_zeros() == non_zeros_,
+      "the matrix that was analysed is required ({} unknowns, {} entries); got {} and {}: analyse it anew",
+      n_, non_zeros_, matrix.n(), matrix.non_zeros());
+  return make_factor(matrix);
+}
+
+std::vector<std::string_view> linear_solvers() {
+  std::vector<std::string_view> names;
+  for (const Backend& backend : backends) names.push_back(backend.name);
+  return names;
+}
+
+void check_linear_solver(std::string_view solver) { find(solver); }
+
+std::shared_ptr<const Analysis> analyse(const BlockMatrix& matrix, std::string_view solver) {
+  require(matrix.n() > 0,
+          "at least one unknown is required; got none: the boundaries prescribe every velocity, take a finer "
+          "mesh");
+  return find(solver).analyse(matrix);
 }
 
 }  // namespace fpi::fluid

@@ -1,45 +1,67 @@
-/// The direct solver behind one small interface: analyse a pattern, factor values, solve. UMFPACK stays in
-/// the source; every status it returns is checked.
+/// The direct solvers behind one small interface: analyse a pattern, factor values, solve. Each library
+/// stays in the source that wraps it; every status it returns is checked.
 #pragma once
 
 #include <memory>
+#include <string_view>
+#include <vector>
 
 #include "fluid/block_matrix.hpp"
 #include "fluid/types.hpp"
 
 namespace fpi::fluid {
 
-/// The ordering of a pattern, found once and shared by all factors of it.
-class Analysis {
- public:
-  explicit Analysis(const BlockMatrix& matrix);
-  ~Analysis();
-  Analysis(const Analysis&) = delete;
-  Analysis& operator=(const Analysis&) = delete;
-  void* handle() const { return symbolic_; }
-
- private:
-  void* symbolic_ = nullptr;
-};
-
 /// LU factors of a matrix; never changed once made.
 class Factor {
  public:
-  /// Throws Error when there is not enough memory. A singular matrix gives `is_singular`.
-  Factor(std::shared_ptr<const Analysis> analysis, const BlockMatrix& matrix);
-  ~Factor();
+  virtual ~Factor() = default;
   Factor(const Factor&) = delete;
   Factor& operator=(const Factor&) = delete;
-
-  bool is_singular() const { return is_singular_; }
-  /// x with A x = b.
+  /// x with A x = b. Throws Error unless b has as many entries as there are equations and the matrix is
+  /// regular.
   Vector solve(const Vector& b) const;
 
- private:
-  std::shared_ptr<const Analysis> analysis_;
+  bool is_singular() const { return is_singular_; }
+  /// What making this factor and solving with it take: seconds on a typical core, computed from counts, so
+  /// that decisions based on them are the same in every run.
+  double factor_cost() const { return factor_cost_; }
+  double solve_cost() const { return solve_cost_; }
+
+ protected:
+  explicit Factor(Index n) : n_(n) {}
+  virtual Vector back_solve(const Vector& b) const = 0;
+
   Index n_;
-  void* numeric_ = nullptr;
   bool is_singular_ = false;
+  double factor_cost_ = 0, solve_cost_ = 0;
 };
+
+/// The ordering of a pattern, found once and shared by all factors of it.
+class Analysis {
+ public:
+  virtual ~Analysis() = default;
+  Analysis(const Analysis&) = delete;
+  Analysis& operator=(const Analysis&) = delete;
+  /// Factors a matrix with the pattern that was analysed. Throws Error for another pattern or where there is
+  /// not enough memory; a singular matrix gives a factor with `is_singular`.
+  std::shared_ptr<const Factor> factor(const BlockMatrix& matrix) const;
+
+ protected:
+  explicit Analysis(const BlockMatrix& matrix) : n_(matrix.n()), non_zeros_(matrix.non_zeros()) {}
+  virtual std::shared_ptr<const Factor> make_factor(const BlockMatrix& matrix) const = 0;
+
+ private:
+  Index n_, non_zeros_;
+};
+
+/// The solvers of this build, the default first.
+std::vector<std::string_view> linear_solvers();
+
+/// Throws Error where this build lacks the solver.
+void check_linear_solver(std::string_view solver);
+
+/// Analyses the pattern of `matrix` with one of `linear_solvers()`. Throws Error for a matrix without
+/// unknowns.
+std::shared_ptr<const Analysis> analyse(const BlockMatrix& matrix, std::string_view solver);
 
 }  // namespace fpi::fluid

@@ -26,6 +26,7 @@ NavierStokes::NavierStokes(Mesh mesh, Settings settings)
             settings_.fluid.viscous_form == "symmetric"},
       body_force_{Expression(settings_.fluid.body_force[0]), Expression(settings_.fluid.body_force[1])},
       space_(std::move(mesh), settings_.fluid.boundaries) {
+  check_linear_solver(settings_.fluid.linear_solver);
   accepted_.u = nodal_values(space_.mesh, settings_.fluid.initial_velocity);
   accepted_.acceleration = Vector::Zero(accepted_.u.size());
   accepted_.p = Vector::Zero(space_.mesh.n_vertices());
@@ -66,8 +67,8 @@ NewtonResult NavierStokes::start_step(const Request& request) {
     system_ = accepted_system_;
   } else if (!system_ || !system_->same_geometry(request.interfaces)) {
     monitor.phase("interface");
-    system_ = std::make_shared<System>(space_, settings_.fluid.embedding, request.interfaces,
-                                       settings_.bodies_move, monitor.ledger);
+    system_ = std::make_shared<System>(space_, settings_.fluid, request.interfaces, settings_.bodies_move,
+                                       monitor.ledger);
   }
   const bool steady = request.time_step == 0;
   const Mesh& mesh = space_.mesh;

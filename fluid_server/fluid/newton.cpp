@@ -39,7 +39,7 @@ NewtonResult solve(System& system, const Flow& flow, const TimeTerms& time, cons
       monitor.phase("factor");
       const ScopedTimer timer(ledger, "factor");
       ledger.counts["factorisations"] += 1;
-      iterate.factor = std::make_shared<Factor>(system.analysis(), system.matrix());
+      iterate.factor = system.analysis()->factor(system.matrix());
       if (iterate.factor->is_singular()) {
         iterate.factor.reset();
         result.reason =

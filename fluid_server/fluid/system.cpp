@@ -51,10 +51,11 @@ const BlockMask& arc_mask(bool mixed) {
 
 }  // namespace
 
-System::System(const Space& space, const scene::Embedding& embedding, std::vector<Interface> interfaces,
+System::System(const Space& space, const scene::Fluid& parameters, std::vector<Interface> interfaces,
                bool bodies_move, Ledger& ledger)
     : space_(space),
-      embedding_(embedding),
+      embedding_(parameters.embedding),
+      linear_solver_(parameters.linear_solver),
       bodies_move_(bodies_move),
       interfaces_(std::move(interfaces)),
       matrix_(0) {
@@ -220,7 +221,7 @@ void System::add(const Vector& update, double step, Fields& fields) const {
 }
 
 std::shared_ptr<const Analysis> System::analysis() {
-  if (!analysis_) analysis_ = std::make_shared<Analysis>(matrix_);
+  if (!analysis_) analysis_ = analyse(matrix_, linear_solver_);
   return analysis_;
 }
 

@@ -52,7 +52,7 @@ inline constexpr int cell = element_unknowns, ghost = 18, arc = 14;
 
 class System {
  public:
-  System(const Space& space, const scene::Embedding& embedding, std::vector<Interface> interfaces,
+  System(const Space& space, const scene::Fluid& parameters, std::vector<Interface> interfaces,
          bool bodies_move, Ledger& ledger);
 
   const Space& space() const { return space_; }
@@ -122,6 +122,7 @@ class System {
 
   const Space& space_;
   scene::Embedding embedding_;
+  std::string linear_solver_;
   bool bodies_move_;
   std::vector<Interface> interfaces_;
   CutMesh cut_;

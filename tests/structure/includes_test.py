@@ -25,7 +25,8 @@ CONFINED = {
     "hdf5.h": r"common/output/\w+\.cpp",
     "zmq": r"proto/.*\.cpp|proto/(transport/)?\w*(socket|zmq|curve)\w*\.hpp",
     "fpi_generated.h": r"proto/codec/.*",
-    "umfpack.h": r"fluid_server/fluid/linear_solver\.cpp",
+    "umfpack.h": r"fluid_server/fluid/umfpack\.cpp",
+    "dmumps_c.h": r"fluid_server/fluid/mumps\.cpp",
 }
 INCLUDE = re.compile(r'^\s*#include\s+[<"]([^>"]+)[>"]', re.M)
 

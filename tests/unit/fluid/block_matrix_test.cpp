@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <random>
-
-#include "fluid/linear_solver.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -67,21 +64,6 @@ TEST(BlockMatrix, rows_of_a_column_ascend) {
   for (Index c = 0; c < r.matrix.n(); ++c)
     for (Index k = r.matrix.column_start()[c] + 1; k < r.matrix.column_start()[c + 1]; ++k)
       EXPECT_LT(r.matrix.row()[k - 1], r.matrix.row()[k]);
-}
-
-TEST(LinearSolver, solves_to_round_off_and_keeps_its_factor_when_the_matrix_changes) {
-  RandomBlocks r;
-  const Factor factor(std::make_shared<Analysis>(r.matrix), r.matrix);
-  ASSERT_FALSE(factor.is_singular());
-  const Vector x = Vector::LinSpaced(RandomBlocks::n, -1, 2);
-  r.matrix.set_zero();
-  EXPECT_LT((factor.solve(r.dense * x) - x).norm(), 1e-11);
-}
-
-TEST(LinearSolver, says_when_a_matrix_is_singular) {
-  RandomBlocks r;
-  r.matrix.set_zero();
-  EXPECT_TRUE(Factor(std::make_shared<Analysis>(r.matrix), r.matrix).is_singular());
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+# fpi::mumps: the sequential MUMPS, where FPI_MUMPS wants it and it is installed (libmumps-seq-dev).
+if(NOT FPI_MUMPS STREQUAL "OFF")
+  find_path(MUMPS_INCLUDE dmumps_c.h)
+  find_library(MUMPS_LIBRARY dmumps_seq)
+  find_library(MUMPS_MPI_STUB mpiseq_seq)
+  if(MUMPS_INCLUDE AND MUMPS_LIBRARY AND MUMPS_MPI_STUB)
+    add_library(fpi_mumps INTERFACE)
+    add_library(fpi::mumps ALIAS fpi_mumps)
+    target_include_directories(fpi_mumps INTERFACE ${MUMPS_INCLUDE})
+    target_link_libraries(fpi_mumps INTERFACE ${MUMPS_LIBRARY} ${MUMPS_MPI_STUB})
+    target_compile_definitions(fpi_mumps INTERFACE FPI_MUMPS)
+  elseif(FPI_MUMPS STREQUAL "ON")
+    message(FATAL_ERROR "FPI_MUMPS=ON requires dmumps_c.h, libdmumps_seq and libmpiseq_seq; they were not found: "
+                        "install libmumps-seq-dev, or take FPI_MUMPS=OFF")
+  endif()
+endif()
