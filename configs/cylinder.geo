@@ -11,8 +11,9 @@ circle() = Curve In BoundingBox {0.14, 0.14, -1, 0.26, 0.26, 1};
 
 // Size: fine on the circle, growing with the distance from it.
 Field[1] = MathEval;
-Field[1].F = Sprintf("%g * min(0.0055 + 0.16*(sqrt((x-0.2)^2 + (y-0.2)^2) - 0.05), 0.05)", size);
+Field[1].F = Sprintf("%g * min(0.006 + 0.13*(sqrt((x-0.2)^2 + (y-0.2)^2) - 0.05), 0.07)", size);
 Background Field = 1;
+Transfinite Curve {circle()} = 1 + 4*Round(Pi*0.1 / (4*0.006*size));  // vertices in front, behind, above, below
 
 Physical Surface("fluid") = {3};
 Physical Curve("cylinder") = {circle()};

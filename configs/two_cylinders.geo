@@ -13,8 +13,9 @@ second() = Curve In BoundingBox {0.84, 0.14, -1, 0.96, 0.26, 1};
 
 // Size: fine on the circles, growing with the distance from them.
 Field[1] = MathEval;
-Field[1].F = Sprintf("%g * min(0.0055 + 0.16*min(sqrt((x-0.2)^2 + (y-0.2)^2) - 0.05, sqrt((x-0.9)^2 + (y-0.2)^2) - 0.05), 0.04)", size);
+Field[1].F = Sprintf("%g * min(0.007 + 0.15*min(sqrt((x-0.2)^2 + (y-0.2)^2) - 0.05, sqrt((x-0.9)^2 + (y-0.2)^2) - 0.05), 0.06)", size);
 Background Field = 1;
+Transfinite Curve {first(), second()} = 1 + 4*Round(Pi*0.1 / (4*0.007*size));  // vertices in front and behind
 
 Physical Surface("fluid") = {4};
 Physical Curve("first") = {first()};

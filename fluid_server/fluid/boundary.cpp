@@ -100,20 +100,24 @@ void Boundary::impose(double t, Vector& u) const {
 }
 
 void Boundary::check_net_flux(double t, const Vector& u) const {
-  double net = 0, gross = 0;
+  double net = 0, gross = 0, reach = 0;
   for (const BoundaryEdge& b : mesh_.boundary) {
     if (is_open(b.boundary)) return;
     const auto nodes = mesh_.edge_nodes(b);
     const auto normals = outward(mesh_.places(nodes));
     double flux = 0;
-    for (int i = 0; i < 3; ++i) flux += normals[i].dot(u.segment<2>(2 * nodes[i]));
+    for (int i = 0; i < 3; ++i) {
+      const auto velocity = u.segment<2>(2 * nodes[i]);
+      flux += normals[i].dot(velocity);
+      reach += normals[i].norm() * velocity.norm();
+    }
     net += flux;
     gross += std::abs(flux);
   }
-  require(std::abs(net) <= 0.01 * gross,
+  // A wall that moves along itself has no flux but that of round-off and of a parabola beside its circle.
+  require(std::abs(net) <= 0.01 * gross + 1e-4 * reach,
           "where no boundary is open, as much fluid must enter as leaves; at t = {:g} s a net {:g} m²/s {}: "
-          "give one "
-          "boundary type = \"traction\", or balance the velocities",
+          "give one boundary type = \"traction\", or balance the velocities",
           t, std::abs(net), net > 0 ? "leaves" : "enters");
 }
 
