@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "fluid/scene_mesh.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -82,6 +83,19 @@ TEST(Gmsh, a_curve_in_several_groups_takes_the_first_that_has_a_name) {
   for (const BoundaryEdge& b : mesh.boundary) {
     const Vec2 middle = mesh.middles[b.edge];
     EXPECT_EQ(b.boundary == 1, middle.x() == 0 || middle.y() == 1);
+  }
+}
+
+TEST(Gmsh, a_circle_of_the_scene_is_put_on_its_boundary) {
+  scene::Mesh parameters;
+  parameters.file = "square.msh";
+  parameters.circles.push_back({"the inlet", {0.5, 0.5}, std::sqrt(0.5)});
+  const Mesh mesh = scene_mesh(parameters, "square.msh", format_4);
+  for (const BoundaryEdge& b : mesh.boundary) {
+    EXPECT_EQ(mesh.is_curved_edge(b.edge), b.boundary == 1);
+    if (b.boundary == 1) {
+      EXPECT_NEAR(mesh.middles[b.edge].x(), 0.5 - std::sqrt(0.5), 1e-15);
+    }
   }
 }
 

@@ -76,6 +76,21 @@ INSTANTIATE_TEST_SUITE_P(
             "mesh_or_rectangle", with(settling, "lower = [0, 0]\n", ""),
             "drop.toml:12: fluid.mesh.lower must name a mesh, or else lower = [x, y] and upper = [x, y] must "
             "give the corners of a rectangle; got nothing"},
+        Case{"refinement_region",
+             with(settling, "cells_y = 12\n", "cells_y = 12\n[[fluid.mesh.refinements]]\nsize = 1e-3\n"),
+             "drop.toml:18: fluid.mesh.refinements.0.size must come with one region: box = [x0, y0, x1, y1], "
+             "centre = [x, y] and radius, or line = [x0, y0, x1, y1, …]; got 0.001"},
+        Case{"refinement_box",
+             with(settling, "cells_y = 12\n",
+                  "cells_y = 12\n[[fluid.mesh.refinements]]\nsize = 1e-3\nbox = [0, 1, 1, 0]\n"),
+             "drop.toml:19: fluid.mesh.refinements.0.box must be [x0, y0, x1, y1] with x0 <= x1 and y0 <= "
+             "y1; got "
+             "[0, 1, 1, 0]"},
+        Case{"circle_of_a_rectangle",
+             with(settling, "cells_y = 12\n",
+                  "cells_y = 12\n[[fluid.mesh.circles]]\nboundary = \"top\"\ncentre = [0, 0]\nradius = 1\n"),
+             "drop.toml:13: fluid.mesh.lower must not be given with circles, which are for a mesh file; got "
+             "[0, 0]"},
         Case{"velocity_of_its_type",
              with(settling, "top.type = \"no_slip\"", "top = {type = \"no_slip\", velocity = [1, 0]}"),
              "drop.toml:22: fluid.boundaries.top.velocity goes with type = \"velocity\" only; got [1, 0]"},
