@@ -79,17 +79,19 @@ inline Errors errors(const NavierStokes& solver, const Field& u,
   const Mesh& mesh = solver.mesh();
   double l2 = 0, h1 = 0, area = 0, mean = 0, square_sum = 0;
   for (Index c = 0; c < mesh.n_cells(); ++c) {
-    const Triangle t(mesh.corners(c));
+    const CellNodes places = mesh.cell_places(c);
     const auto nodes = mesh.cell_nodes(c);
-    for (const ElementPoint& point : standard_points()) {
-      const Vec2 x = t.point(point.shape.l);
-      const double w = t.area * point.weight;
+    for (const ElementPoint& point : curved_points()) {
+      const Vec2 x = position_at(places, point.shape.n);
+      const Metric<double> metric = metric_at(places, point.shape);
+      const double w = metric.area * point.weight;
       Vec2 value = Vec2::Zero();
       Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
       for (int i = 0; i < 6; ++i) {
         const Vec2 nodal = solver.state().u.segment<2>(2 * nodes[i]);
         value += point.shape.n[i] * nodal;
-        for (int k = 0; k < 3; ++k) gradient += point.shape.dn[k][i] * nodal * t.gradient[k].transpose();
+        for (int k = 0; k < 3; ++k)
+          gradient += point.shape.dn[k][i] * nodal * Vec2(metric.gx[k], metric.gy[k]).transpose();
       }
       double pressure = 0;
       for (int k = 0; k < 3; ++k) pressure += point.shape.l[k] * solver.state().p[mesh.cells[c][k]];
