@@ -71,13 +71,14 @@ void refine(Bisection& mesh, const Vec2& lower, const Vec2& upper,
     const Vec2& x = mesh.vertices()[v];
     return x.x() == lower.x() || x.x() == upper.x() || x.y() == lower.y() || x.y() == upper.y();
   };
+  constexpr double round_off = 1e-9;  // a size met exactly is small enough
   const auto is_too_large = [&](Index t) {
     const auto& [va, vb, vc] = mesh.triangle(t);
     const Vec2 &a = mesh.vertices()[va], &b = mesh.vertices()[vb], &c = mesh.vertices()[vc];
     const Vec2 centre = (a + b + c) / 3;
     const double reach = std::sqrt(
         std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm()}));
-    return std::sqrt(cross(b - a, c - a)) > wanted_size(refinements, centre, reach);
+    return std::sqrt(cross(b - a, c - a)) > (1 + round_off) * wanted_size(refinements, centre, reach);
   };
   for (Index t = 0; t < mesh.n_triangles(); ++t)
     while (std::ranges::all_of(mesh.triangle(t), is_outer) || is_too_large(t)) mesh.bisect(t);
