@@ -19,10 +19,11 @@ enum ElementType { line = 1, triangle = 2, curved_line = 8, curved_triangle = 9,
 /// What the file says, before it becomes a mesh.
 struct Contents {
   struct Line {
-    std::array<Tag, 2> nodes;
+    std::array<Tag, 2> ends;
     Tag curve;
+    std::optional<Tag> middle;
   };
-  struct Middle {
+  struct Middle {  // of an edge of a triangle
     std::array<Tag, 2> ends;
     Tag node;
   };
@@ -50,8 +51,8 @@ void read_element(Words& in, Contents& out, int type, Tag curve) {
   } else if (type == line || type == curved_line) {
     std::array<Tag, 2> v;
     for (Tag& tag : v) tag = in.number<Tag>();
-    out.lines.push_back({v, curve});
-    if (type == curved_line) out.middles.push_back({v, in.number<Tag>()});
+    out.lines.push_back({v, curve, {}});
+    if (type == curved_line) out.lines.back().middle = in.number<Tag>();
   } else if (type == triangle || type == curved_triangle) {
     std::array<Tag, 3> v;
     for (Tag& tag : v) tag = in.number<Tag>();
@@ -193,18 +194,19 @@ Mesh read_gmsh(std::string_view text, const std::string& name) {
     boundary_number[tag] = static_cast<Index>(boundary_names.size());
     boundary_names.push_back(boundary_name);
   }
+  std::vector<EdgeMiddle> middles;
+  for (const auto& [ends, node] : contents.middles)
+    middles.push_back({{vertex(ends[0]), vertex(ends[1])}, place(node)});
   std::vector<NamedEdge> edges;
-  for (const auto& [nodes, curve] : contents.lines) {
+  for (const auto& [ends, curve, middle] : contents.lines) {
     const auto groups = contents.groups.find(curve);
     if (groups == contents.groups.end()) continue;
     const auto named =
         std::ranges::find_if(groups->second, [&](Tag tag) { return contents.names.contains(tag); });
-    if (named != groups->second.end())
-      edges.push_back({{vertex(nodes[0]), vertex(nodes[1])}, boundary_number.at(*named)});
+    if (named == groups->second.end()) continue;
+    edges.push_back({{vertex(ends[0]), vertex(ends[1])}, boundary_number.at(*named)});
+    if (middle) middles.push_back({edges.back().vertices, place(*middle)});
   }
-  std::vector<EdgeMiddle> middles;
-  for (const auto& [ends, node] : contents.middles)
-    middles.push_back({{vertex(ends[0]), vertex(ends[1])}, place(node)});
   return make_mesh(std::move(vertices), std::move(cells), edges, std::move(boundary_names), middles);
 }
 

@@ -6,12 +6,12 @@
 namespace fpi::fluid {
 namespace {
 
+/// A parabola lies in the hull of its ends and its control point.
 std::pair<Vec2, Vec2> bounding_box(const Mesh& mesh, Index cell) {
   const auto c = mesh.corners(cell);
   std::pair box{c[0].cwiseMin(c[1]).cwiseMin(c[2]).eval(), c[0].cwiseMax(c[1]).cwiseMax(c[2]).eval()};
   for (const Index e : mesh.cell_edges[cell]) {
-    const Vec2 control =
-        2 * mesh.middles[e] - mesh.chord_middle(e);  // a parabola is in the hull of its ends and this
+    const Vec2 control = 2 * mesh.middles[e] - mesh.chord_middle(e);
     box.first = box.first.cwiseMin(control);
     box.second = box.second.cwiseMax(control);
   }

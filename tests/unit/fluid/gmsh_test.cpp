@@ -76,6 +76,12 @@ TEST(Gmsh, second_order_triangles_have_their_middles_where_the_file_says) {
   }
 }
 
+TEST(Gmsh, lines_without_a_name_may_lie_anywhere) {
+  std::string text = curved(format_2);
+  text.replace(text.find("$Elements\n7\n"), 12, "$Elements\n8\n8 8 2 0 9 2 4 9\n");
+  EXPECT_EQ(read_gmsh(text, "line.msh").n_cells(), 2);
+}
+
 TEST(Gmsh, a_curve_in_several_groups_takes_the_first_that_has_a_name) {
   std::string text = format_4;
   text.replace(text.find("3 0 1 0 1 1 0 1 1 "), 18, "3 0 1 0 1 1 0 3 9 2 1 ");
