@@ -128,18 +128,18 @@ struct Boundary {
 
 /// [fluid.newton]
 struct Newton {
-  double relative_tolerance = 1e-8;  ///< of the update, against the solution
-  std::int64_t max_iterations = 25;
-  double refactor_ratio = 0.2;
+  double relative_tolerance = 1e-8;  ///< of what is left of the error, against the velocity
+  std::int64_t max_iterations = 100;
 
   void declare(ParameterVisitor& v) {
-    v.real({"relative_tolerance", "", "Newton ends when the update is below this fraction of the solution"},
+    v.real({"relative_tolerance", "",
+            "Newton ends when the error that is left is estimated below this fraction of the velocity"},
            relative_tolerance, above_up_to(0, 0.1));
-    v.integer({"max_iterations", "", "Newton–Raphson iterations before the step is given up"}, max_iterations,
-              between(1, 1000));
-    v.real({"refactor_ratio", "",
-            "an old factor is kept while each correction is below this fraction of the one before"},
-           refactor_ratio, between(0, 0.9));
+    v.integer(
+        {"max_iterations", "",
+         "corrections (residual and back-solve) before the step is given up; only some have a factor of "
+         "their own"},
+        max_iterations, between(1, 1000));
   }
 };
 

@@ -121,6 +121,12 @@ void Boundary::check_net_flux(double t, const Vector& u) const {
           t, std::abs(net), net > 0 ? "leaves" : "enters");
 }
 
+bool Boundary::traction_depends_on_time() const {
+  return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) {
+    return part.type == Type::traction && (part.x.depends_on_time() || part.y.depends_on_time());
+  });
+}
+
 void Boundary::add_tractions(double t, Vector& load) const {
   for (const BoundaryEdge& b : mesh_.boundary) {
     const Part& part = parts_[b.boundary];

@@ -28,6 +28,7 @@ class Boundary {
   void impose(double t, Vector& u) const;
   /// Adds ∫ w·t̄ over the traction parts at time t [s] to `load` [N/m].
   void add_tractions(double t, Vector& load) const;
+  bool traction_depends_on_time() const;
 
   /// Throws Error where fluid flows in or out (more than 1 % net) although no part is open: nowhere for it to
   /// go.

@@ -18,7 +18,7 @@ class Sum {
         rho_(flow.density),
         mu_(flow.viscosity),
         sym_(flow.symmetric ? 1 : 0),
-        convection_(flow.convection ? 1 : 0) {
+        convection_(flow.convection) {
     system_.residual.fill(T{});
     if constexpr (with_jacobian) system_.jacobian.fill(T{});
   }

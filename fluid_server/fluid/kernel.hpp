@@ -14,8 +14,8 @@ namespace fpi::fluid {
 struct Flow {
   double density;    ///< ρ [kg/m³]
   double viscosity;  ///< μ [Pa s]
-  bool convection;   ///< ρ (∇u)u is there
-  bool symmetric;    ///< 2μ ε(u):ε(w); else μ ∇u:∇w
+  double convection;  ///< factor of ρ (∇u)u: 1, or 0 for Stokes flow, or between on the way to a steady flow
+  bool symmetric;     ///< 2μ ε(u):ε(w); else μ ∇u:∇w
 };
 
 /// One number of each of four elements; arithmetic acts on all four.

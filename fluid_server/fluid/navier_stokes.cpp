@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/log.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -22,7 +23,7 @@ Vector nodal_values(const Mesh& mesh, const std::vector<std::string>& formulas) 
 
 NavierStokes::NavierStokes(Mesh mesh, Settings settings)
     : settings_(std::move(settings)),
-      flow_{settings_.fluid.density, settings_.fluid.viscosity(), settings_.fluid.convection,
+      flow_{settings_.fluid.density, settings_.fluid.viscosity(), settings_.fluid.convection ? 1.0 : 0.0,
             settings_.fluid.viscous_form == "symmetric"},
       body_force_{Expression(settings_.fluid.body_force[0]), Expression(settings_.fluid.body_force[1])},
       space_(std::move(mesh), settings_.fluid.boundaries) {
@@ -30,6 +31,7 @@ NavierStokes::NavierStokes(Mesh mesh, Settings settings)
   accepted_.u = nodal_values(space_.mesh, settings_.fluid.initial_velocity);
   accepted_.acceleration = Vector::Zero(accepted_.u.size());
   accepted_.p = Vector::Zero(space_.mesh.n_vertices());
+  accepted_.previous_acceleration = accepted_.acceleration;
   space_.boundary.impose(0, accepted_.u);
 }
 
@@ -56,7 +58,11 @@ Result NavierStokes::advance(const Request& request) {
   if (!result.newton.converged) return result;
   system_->set_velocities(request.interfaces);
   result.newton = solve_step(request);
-  if (result.newton.converged) result.tractions = tractions();
+  if (result.newton.converged) {
+    result.tractions = tractions();
+    if (request.time_step > 0)
+      result.time_error = time_error(start_, current_.fields.u, request.time_step, gamma_);
+  }
   last_converged_ = result.newton.converged;
   return result;
 }
@@ -72,31 +78,48 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   }
   const bool steady = request.time_step == 0;
   const Mesh& mesh = space_.mesh;
-  State start = accepted_;
+  start_ = accepted_;
   NewtonResult result;
   result.converged = true;
-  if (!steady && !start.has_acceleration && settings_.fluid.newmark_gamma < 1 && !settings_.bodies_move)
-    result = find_consistent_start(request, start);
+  if (!steady && !start_.has_acceleration && settings_.fluid.newmark_gamma < 1 && !settings_.bodies_move)
+    result = find_consistent_start(request, start_);
   if (steady) {
     time_terms_ = TimeTerms::steady(mesh.n_nodes());
   } else {
     // Bodies that move start with backward Euler: their first acceleration is a result of the coupling.
-    const double gamma = start.has_acceleration ? settings_.fluid.newmark_gamma : 1;
-    const Vector gammas = settings_.bodies_move ? gamma_of_nodes(mesh, system_->cut(), gamma)
-                                                : Vector::Constant(mesh.n_nodes(), gamma);
-    time_terms_ = newmark(start.u, start.acceleration, request.time_step, gammas);
+    const double gamma = start_.has_acceleration ? settings_.fluid.newmark_gamma : 1;
+    gamma_ = settings_.bodies_move ? gamma_of_nodes(mesh, system_->cut(), gamma)
+                                   : Vector::Constant(mesh.n_nodes(), gamma);
+    time_terms_ = newmark(start_.u, start_.acceleration, request.time_step, gamma_);
   }
   system_->set_load(request.time, body_force_);
   // A start from rest into a given inflow has an acceleration that no guess should follow for a whole step.
-  const double ahead = accepted_.has_acceleration ? request.time_step : 0;
-  base_.fields = {start.u + ahead * start.acceleration, start.p,
-                  Vector::Zero(2 * system_->cut().n_multipliers())};
-  // The matrix depends on geometry and inertia; a linear problem trusts a factor that fits.
-  const bool factor_fits = system_ == accepted_system_ &&
-                           accepted_inertia_.size() == time_terms_.inertia.size() &&
-                           accepted_inertia_ == time_terms_.inertia;
-  base_.factor = factor_fits ? accepted_factor_ : nullptr;
+  base_.fields = {accepted_.has_acceleration ? predicted_velocity(start_, request.time_step) : start_.u,
+                  start_.p, Vector::Zero(2 * system_->cut().n_multipliers())};
+  base_.factor = serving_factor();
+  base_.cost = kept_.cost;
   return result;
+}
+
+/// The factor of the last step where it fits this one: the matrix depends on geometry, inertia and velocity.
+/// A linear problem trusts it, so there it must fit to the bit.
+std::shared_ptr<const Factor> NavierStokes::serving_factor() const {
+  if (system_ != accepted_system_ || !kept_.factor) return nullptr;
+  const Vector &now = time_terms_.inertia, &then = kept_inertia_;
+  const bool same = now == then;
+  const bool close = ((now - then).array().abs() <= 0.25 * then.array()).all();
+  return same || (close && flow_.convection > 0) ? kept_.factor : nullptr;
+}
+
+/// A factor is kept until a step with it costs more than its steps did on average, itself included: then a
+/// new one is cheaper.
+void NavierStokes::keep_factor() {
+  const bool is_new = current_.factor != kept_.factor;
+  const double of_step = current_.cost - (is_new ? 0 : kept_.cost);
+  kept_steps_ = is_new ? 1 : kept_steps_ + 1;
+  kept_.factor = of_step > current_.cost / kept_steps_ ? nullptr : current_.factor;
+  kept_.cost = current_.cost;
+  kept_inertia_ = time_terms_.inertia;
 }
 
 /// Two backward Euler steps of vanishing length: the first makes the velocity divergence-free and has it meet
@@ -105,7 +128,7 @@ NewtonResult NavierStokes::find_consistent_start(const Request& request, State& 
   const double tiny = 1e-6 * request.time_step;
   const Vector ones = Vector::Ones(space_.mesh.n_nodes());
   system_->set_velocities(request.interfaces);
-  Iterate iterate{{start.u, start.p, Vector::Zero(2 * system_->cut().n_multipliers())}, nullptr};
+  Iterate iterate{{start.u, start.p, Vector::Zero(2 * system_->cut().n_multipliers())}, nullptr, 0};
   NewtonResult result;
   for (const double t : {start.time, start.time + tiny}) {
     start.u = iterate.fields.u;
@@ -129,16 +152,48 @@ NewtonResult NavierStokes::solve_step(const Request& request) {
   space_.boundary.impose(request.time, current_.fields.u);
   space_.boundary.check_net_flux(request.time, current_.fields.u);
   for (Index v : system_->numbering().pinned) current_.fields.p[v] = 0;
-  if (request.time_step == 0 && flow_.convection && request.sub_iteration == 0) {
-    Flow stokes = flow_;
-    stokes.convection = false;
-    current_.factor.reset();
-    const NewtonResult start =
-        solve(*system_, stokes, time_terms_, settings_.fluid.newton, current_, monitor);
-    current_.factor.reset();
-    if (!start.converged) return start;
-  }
+  if (request.time_step == 0 && flow_.convection > 0) return solve_steady();
   return solve(*system_, flow_, time_terms_, settings_.fluid.newton, current_, monitor);
+}
+
+/// From Stokes flow by Newton's iteration; where that stalls, by way of flows with a part of the convection,
+/// which is a continuation in the Reynolds number.
+NewtonResult NavierStokes::solve_steady() {
+  constexpr double smallest_part = 1.0 / 128;
+  Flow flow = flow_;
+  flow.convection = 0;
+  current_.factor.reset();
+  NewtonResult result = solve(*system_, flow, time_terms_, settings_.fluid.newton, current_, monitor);
+  double part = 1;  // of the Reynolds number, from one flow to the next
+  while (result.converged && flow.convection < flow_.convection) {
+    const double reached = flow.convection;
+    const Fields fields = current_.fields;
+    flow.convection = std::min(reached + part, flow_.convection);
+    const NewtonResult next = solve(*system_, flow, time_terms_, settings_.fluid.newton, current_, monitor);
+    result.iterations += next.iterations;
+    result.update = next.update;
+    if (next.converged) {
+      part *= 2;
+      continue;
+    }
+    log::info(
+        "the steady flow at {:.3g} of the Reynolds number was not found ({}): going on from {:.3g} in "
+        "smaller steps",
+        flow.convection, next.reason, reached);
+    monitor.ledger.counts["continuation_retreats"] += 1;
+    flow.convection = reached;
+    current_.fields = fields;
+    current_.factor.reset();
+    part /= 4;
+    if (part >= smallest_part) continue;
+    result.converged = false;
+    result.reason = fmt::format(
+        "no steady flow was found beyond {:.3g} of the Reynolds number, also by continuation: {}. Take a "
+        "finer "
+        "mesh there, or solve in time: there may be no steady flow",
+        reached, next.reason);
+  }
+  return result;
 }
 
 std::vector<BodyTraction> NavierStokes::tractions() const {
@@ -173,6 +228,8 @@ void NavierStokes::accept() {
   const Fields& fields = current_.fields;
   if (settings_.measure_boundaries) measure_boundaries();
   accepted_.time = last_->time;
+  accepted_.previous_acceleration = start_.acceleration;
+  accepted_.previous_step = start_.has_acceleration && !settings_.bodies_move ? last_->time_step : 0;
   accepted_.acceleration = time_terms_.acceleration(fields.u);
   accepted_.has_acceleration = last_->time_step > 0;
   accepted_.u = fields.u;
@@ -184,8 +241,7 @@ void NavierStokes::accept() {
     accepted_.u.segment<2>(2 * covered.node) = body_velocity(covered);
     accepted_.acceleration.segment<2>(2 * covered.node).setZero();
   }
-  accepted_factor_ = current_.factor;
-  accepted_inertia_ = time_terms_.inertia;
+  keep_factor();
   accepted_system_ = system_;
   last_.reset();
 }
@@ -204,7 +260,7 @@ void NavierStokes::set_state(State state) {
 }
 
 void NavierStokes::drop_caches() {
-  accepted_factor_.reset();
+  kept_ = {};
   base_.factor.reset();
   current_.factor.reset();
 }

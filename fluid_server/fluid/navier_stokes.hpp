@@ -39,6 +39,7 @@ struct BodyTraction {
 
 struct Result {
   NewtonResult newton;
+  TimeError time_error;
   std::vector<BodyTraction> tractions;
 };
 
@@ -82,6 +83,9 @@ class NavierStokes {
   NewtonResult start_step(const Request& request);
   NewtonResult find_consistent_start(const Request& request, State& start);
   NewtonResult solve_step(const Request& request);
+  NewtonResult solve_steady();
+  std::shared_ptr<const Factor> serving_factor() const;
+  void keep_factor();
   std::vector<BodyTraction> tractions() const;
   Vec2 body_velocity(const CoveredNode& covered) const;
   void measure_boundaries();
@@ -95,9 +99,12 @@ class NavierStokes {
 
   std::shared_ptr<System> system_;  // of the last geometry asked for
   TimeTerms time_terms_;
-  Iterate base_, current_;  // before and after the last sub-iteration
-  std::shared_ptr<const Factor> accepted_factor_;
-  Vector accepted_inertia_;  // that this factor was made with
+  Iterate base_, current_;   // before and after the last sub-iteration
+  Vector gamma_;             // of the nodes in this step
+  State start_;              // of this step: the accepted state, made consistent at the first step
+  Iterate kept_;             // the factor that the last accepted step ended with, and its cost
+  Vector kept_inertia_;      // that it was last used with
+  unsigned kept_steps_ = 0;  // that it has served
   std::shared_ptr<System> accepted_system_;
   std::vector<Interface> accepted_interfaces_;
   std::optional<Request> last_;  // nothing since the last accept or restore

@@ -5,7 +5,7 @@
 namespace fpi::fluid {
 namespace {
 
-constexpr std::uint64_t magic = 0x31534c4644495046;  // "FPIDFLS1"
+constexpr std::uint64_t magic = 0x32534c4644495046;  // "FPIDFLS2"
 
 std::span<const double> view(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
@@ -27,6 +27,8 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   write.put(view(state.u));
   write.put(view(state.acceleration));
   write.put(view(state.p));
+  write.put(state.previous_step);
+  write.put(view(state.previous_acceleration));
   return std::move(write.bytes);
 }
 
@@ -44,6 +46,8 @@ State from_bytes(std::span<const std::uint8_t> bytes, Index n_nodes, Index n_ver
   state.u = read_vector(read, 2 * n_nodes);
   state.acceleration = read_vector(read, 2 * n_nodes);
   state.p = read_vector(read, n_vertices);
+  state.previous_step = read.number();
+  state.previous_acceleration = read_vector(read, 2 * n_nodes);
   require(read.left() == 0, "the fluid's state has {} bytes too many: take another checkpoint", read.left());
   return state;
 }

@@ -15,6 +15,8 @@ struct State {
   Vector acceleration;  ///< x, y of each node [m/s²]
   Vector p;             ///< of each vertex [Pa]
   bool has_acceleration = false;
+  double previous_step = 0;      ///< Δt of the step that led here [s]; 0: there is none, or none to build on
+  Vector previous_acceleration;  ///< at its start [m/s²]
 };
 
 std::vector<std::uint8_t> to_bytes(const State& state);

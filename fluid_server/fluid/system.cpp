@@ -1,6 +1,7 @@
 #include "fluid/system.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.hpp"
 #include "fluid/quadrature.hpp"
@@ -167,6 +168,9 @@ Quadrature System::quadrature(std::size_t k) const {
 }
 
 void System::set_load(double t, const std::array<Expression, 2>& body_force) {
+  const bool changes = space_.boundary.traction_depends_on_time() || body_force[0].depends_on_time() ||
+                       body_force[1].depends_on_time();
+  if (std::exchange(has_load_, true) && !changes) return;
   load_.setZero();
   space_.boundary.add_tractions(t, load_);
   if (body_force[0].is_zero() && body_force[1].is_zero()) return;
@@ -220,9 +224,32 @@ void System::add(const Vector& update, double step, Fields& fields) const {
     if (numbering_.multiplier[m] >= 0) fields.lambda[m] += step * update[numbering_.multiplier[m]];
 }
 
-std::shared_ptr<const Analysis> System::analysis() {
-  if (!analysis_) analysis_ = analyse(matrix_, linear_solver_);
-  return analysis_;
+std::shared_ptr<const Factor> System::factor(Ledger& ledger) {
+  if (!analysis_) {
+    analysis_ = analyse(matrix_, linear_solver_);
+    ledger.counts["analyses"] += 1;
+  }
+  return analysis_->factor(matrix_);
+}
+
+Vector System::velocity_weight() const {
+  Vector weight = Vector::Zero(numbering_.n_equations);
+  for (Index equation : numbering_.velocity)
+    if (equation >= 0) weight[equation] = 1;
+  return weight;
+}
+
+std::string System::largest_residual(const Vector& gathered) const {
+  Vec2 place = Vec2::Zero();
+  double largest = -1;
+  for (Index node = 0; node < space_.mesh.n_nodes(); ++node)
+    for (const Index equation : {numbering_.velocity[2 * node], numbering_.velocity[2 * node + 1]}) {
+      if (equation < 0 || std::abs(gathered[equation]) <= largest) continue;
+      largest = std::abs(gathered[equation]);
+      place = space_.mesh.node_position(node);
+    }
+  return fmt::format("the largest residual is {:.3g} N/m at ({:.4g}, {:.4g}) m", largest, place.x(),
+                     place.y());
 }
 
 std::vector<System::Resultant> System::resultants(const Vector& lambda) const {

@@ -77,7 +77,12 @@ class System {
   /// Size h of the smallest element [m].
   double smallest_size() const { return space_.smallest_size; }
   const BlockMatrix& matrix() const { return matrix_; }
-  std::shared_ptr<const Analysis> analysis();
+  /// Factors the matrix as it stands; its pattern is analysed once. `ledger` counts analyses.
+  std::shared_ptr<const Factor> factor(Ledger& ledger);
+  /// 1 for each equation of a velocity, 0 for pressures and multipliers: those follow from the velocities.
+  Vector velocity_weight() const;
+  /// "the largest residual is at (x, y) m", of the gathered residual.
+  std::string largest_residual(const Vector& gathered) const;
 
   /// ∫λ and ∫(x − c) × λ over a body [N/m, N].
   struct Resultant {
@@ -133,6 +138,7 @@ class System {
   std::vector<GhostFace> ghosts_;
   std::vector<PieceIntegrals> pieces_;
   Vector load_;
+  bool has_load_ = false;
   Index first_ghost_ = 0, first_piece_ = 0;  // block numbers
   BlockMatrix matrix_;
   std::shared_ptr<const Analysis> analysis_;
