@@ -106,7 +106,9 @@ proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const prot
   proto::FluidAdvanced out{.converged = result.newton.converged,
                            .reason = result.newton.reason,
                            .newton_iterations = static_cast<std::uint32_t>(result.newton.iterations),
-                           .residual = result.newton.update};
+                           .residual = result.newton.update,
+                           .time_error = result.time_error.relative,
+                           .time_error_order = static_cast<double>(result.time_error.power)};
   for (const BodyTraction& traction : result.tractions)
     out.tractions.push_back(write_traction(traction, scene_.thickness));
   return out;

@@ -33,7 +33,7 @@ TimeError time_error(const State& start, const Vector& u, double time_step, cons
                            : (first_order * from_tangent.segment<2>(2 * n)).squaredNorm();
   }
   const double size = u.norm();
-  return {size > 0 ? std::sqrt(sum) / size : 0, is_second_order ? 2 : 1};
+  return {size > 0 ? std::sqrt(sum) / size : 0, is_second_order ? 3 : 2};
 }
 
 Vector gamma_of_nodes(const Mesh& mesh, const CutMesh& cut, double gamma) {

@@ -19,7 +19,7 @@ Vector predicted_velocity(const State& state, double time_step);
 /// L. Lee, R. L. Sani, On the time-dependent solution of the incompressible Navier–Stokes equations, 1980).
 struct TimeError {
   double relative = 0;  ///< 0: the history is too short to tell
-  int order = 0;        ///< of the scheme: the error of a step goes as Δt^(order + 1)
+  int power = 0;        ///< of Δt that the error of a step goes with
 };
 TimeError time_error(const State& start, const Vector& u, double time_step, const Vector& gamma);
 
