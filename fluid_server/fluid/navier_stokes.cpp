@@ -93,12 +93,18 @@ NewtonResult NavierStokes::start_step(const Request& request) {
     time_terms_ = newmark(start_.u, start_.acceleration, request.time_step, gamma_);
   }
   system_->set_load(request.time, body_force_);
-  // A start from rest into a given inflow has an acceleration that no guess should follow for a whole step.
-  base_.fields = {accepted_.has_acceleration ? predicted_velocity(start_, request.time_step) : start_.u,
-                  start_.p, Vector::Zero(2 * system_->cut().n_multipliers())};
+  base_.fields = {guess(request.time_step), start_.p, Vector::Zero(2 * system_->cut().n_multipliers())};
   base_.factor = serving_factor();
   base_.cost = kept_.cost;
   return result;
+}
+
+/// A start from rest into a given inflow has an acceleration that no guess should follow for a whole step;
+/// near bodies that move the one before is of no use.
+Vector NavierStokes::guess(double time_step) const {
+  if (!accepted_.has_acceleration) return start_.u;
+  if (settings_.bodies_move) return start_.u + time_step * start_.acceleration;
+  return predicted_velocity(start_, time_step);
 }
 
 /// The factor of the last step where it fits this one: the matrix depends on geometry, inertia and velocity.
@@ -229,7 +235,7 @@ void NavierStokes::accept() {
   if (settings_.measure_boundaries) measure_boundaries();
   accepted_.time = last_->time;
   accepted_.previous_acceleration = start_.acceleration;
-  accepted_.previous_step = start_.has_acceleration && !settings_.bodies_move ? last_->time_step : 0;
+  accepted_.previous_step = start_.has_acceleration ? last_->time_step : 0;
   accepted_.acceleration = time_terms_.acceleration(fields.u);
   accepted_.has_acceleration = last_->time_step > 0;
   accepted_.u = fields.u;

@@ -84,6 +84,7 @@ class NavierStokes {
   NewtonResult find_consistent_start(const Request& request, State& start);
   NewtonResult solve_step(const Request& request);
   NewtonResult solve_steady();
+  Vector guess(double time_step) const;
   std::shared_ptr<const Factor> serving_factor() const;
   void keep_factor();
   std::vector<BodyTraction> tractions() const;

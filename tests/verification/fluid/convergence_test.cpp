@@ -111,6 +111,31 @@ TEST_F(InTime, order_1_at_gamma_1) {
   EXPECT_NEAR(p, 1, 0.15);
 }
 
+TEST_F(InTime, the_estimate_of_a_steps_error_is_that_error_and_goes_with_the_cube_of_the_step) {
+  std::vector<double> estimates;
+  for (const double dt : {0.02, 0.01}) {
+    NavierStokes solver(square(6), manufactured(0.5));
+    const int steps = static_cast<int>(std::lround(0.3 / dt));
+    for (int k = 1; k <= steps; ++k) {
+      ASSERT_TRUE(solver.advance({k * dt, dt, 0, {}}).newton.converged);
+      solver.accept();
+    }
+    NavierStokes finer(square(6), manufactured(0.5));
+    finer.set_state(solver.state());
+    const Result step = solver.advance({0.3 + dt, dt, 0, {}});
+    solver.accept();
+    for (int k = 1; k <= 16; ++k) {
+      ASSERT_TRUE(finer.advance({0.3 + k * dt / 16, dt / 16, 0, {}}).newton.converged);
+      finer.accept();
+    }
+    const double error = (solver.state().u - finer.state().u).norm() / solver.state().u.norm();
+    EXPECT_EQ(step.time_error.power, 3);
+    EXPECT_NEAR(step.time_error.relative, error, 0.25 * error);
+    estimates.push_back(step.time_error.relative);
+  }
+  EXPECT_NEAR(std::log2(estimates[0] / estimates[1]), 3, 0.3);
+}
+
 TEST_F(InTime, pressure_does_not_ring_from_step_to_step_at_gamma_one_half) {
   NavierStokes solver(square(6), manufactured(0.5));
   const double dt = 0.02;

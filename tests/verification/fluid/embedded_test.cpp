@@ -162,22 +162,6 @@ TEST(Embedded, interfaces_that_make_no_sense_are_refused_with_the_body) {
   EXPECT_FALSE(refused({good}));
 }
 
-TEST(Embedded, a_stokes_scene_with_held_bodies_takes_one_factorisation) {
-  auto s = settings(
-      1, 1,
-      {{"left", velocity("y*(1-y)", "0")}, {"right", open()}, {"bottom", no_slip()}, {"top", no_slip()}});
-  s.fluid.convection = false;
-  s.fluid.newmark_gamma = 1;
-  NavierStokes solver(square(12), s);
-  const std::vector<Interface> disc{circle(0, {0.4, 0.5}, 0.15, 1.0 / 12)};
-  for (int step = 1; step <= 20; ++step) {
-    ASSERT_TRUE(solver.advance({0.01 * step, 0.01, 0, disc}).newton.converged);
-    solver.accept();
-  }
-  EXPECT_EQ(solver.monitor.ledger.counts["factorisations"], 1);
-  EXPECT_EQ(solver.monitor.ledger.counts["solves"], 20);
-}
-
 TEST(Embedded, a_moving_disc_keeps_its_force_quiet_and_finite) {
   auto s = settings(1, 0.02,
                     {{"left", no_slip()}, {"right", no_slip()}, {"bottom", no_slip()}, {"top", no_slip()}});

@@ -1,0 +1,68 @@
+/// What a scene does not need is not done: factorisations, analyses and corrections are counted.
+#include <gtest/gtest.h>
+
+#include "fluid_case.hpp"
+
+namespace fpi::fluid {
+namespace {
+
+using namespace testing;
+
+Settings channel(double viscosity, const std::string& inflow = "4*y*(1-y)") {
+  return settings(
+      1, viscosity,
+      {{"left", velocity(inflow, "0")}, {"right", open()}, {"bottom", no_slip()}, {"top", no_slip()}});
+}
+
+void march(NavierStokes& solver, double time_step, int first, int last,
+           const std::vector<Interface>& bodies = {}) {
+  for (int step = first; step <= last; ++step) {
+    const Result result = solver.advance({time_step * step, time_step, 0, bodies});
+    ASSERT_TRUE(result.newton.converged) << result.newton.reason;
+    solver.accept();
+  }
+}
+
+double counted(NavierStokes& solver, const char* what) { return solver.monitor.ledger.counts[what]; }
+
+TEST(Effort, a_hundred_steps_of_stokes_flow_take_one_factorisation_after_the_start) {
+  auto s = channel(1, "4*y*(1-y)*cos(t)");
+  s.fluid.convection = false;
+  NavierStokes solver(square(12), s);
+  const std::vector<Interface> disc{circle(0, {0.4, 0.5}, 0.15, 1.0 / 12)};
+  march(solver, 0.01, 1, 1, disc);
+  EXPECT_EQ(counted(solver, "factorisations"), 2);  // the consistent start, the first step
+  march(solver, 0.01, 2, 100, disc);
+  EXPECT_EQ(counted(solver, "factorisations"), 2);
+  EXPECT_EQ(counted(solver, "analyses"), 1);
+  EXPECT_EQ(counted(solver, "newton_iterations"), 2 + 100);
+}
+
+TEST(Effort, a_flow_that_changes_slowly_keeps_its_factor_for_many_steps) {
+  NavierStokes solver(square(12), channel(0.01, "4*y*(1-y)*(1+0.3*sin(2*t))"));
+  const std::vector<Interface> disc{circle(0, {0.4, 0.5}, 0.15, 1.0 / 12)};
+  march(solver, 0.02, 1, 60, disc);
+  EXPECT_LE(counted(solver, "factorisations"), 12);
+  EXPECT_EQ(counted(solver, "analyses"), 1);
+  EXPECT_LE(counted(solver, "newton_iterations"), 60 * 8);
+}
+
+TEST(Effort, a_guess_that_meets_the_tolerance_takes_one_correction_a_step) {
+  auto s = channel(0.1);
+  s.fluid.initial_velocity = {"4*y*(1-y)", "0"};
+  s.fluid.boundaries["right"] = velocity("4*y*(1-y)", "0");
+  NavierStokes solver(square(8), s);
+  march(solver, 0.05, 1, 2);
+  const double before = counted(solver, "newton_iterations");
+  march(solver, 0.05, 3, 12);
+  EXPECT_EQ(counted(solver, "newton_iterations") - before, 10);
+}
+
+TEST(Effort, creeping_flow_is_found_with_the_factor_of_stokes_flow) {
+  NavierStokes solver(square(12), channel(100));
+  ASSERT_TRUE(solve_steady(solver).newton.converged);
+  EXPECT_EQ(counted(solver, "factorisations"), 1);
+}
+
+}  // namespace
+}  // namespace fpi::fluid
