@@ -1,60 +1,63 @@
 #!/usr/bin/python3
-"""Run time against error on the fluid benchmarks: DFG 2D-1 with the cylinder embedded, on a ladder of meshes.
-Where FreeFem++ is installed it runs the same case, body-fitted, beside ours. Nothing is asserted here."""
+"""Run time against error of fluid_server on the benchmark flows, beside FreeFem++ and dolfinx where they are installed.
+Whole programs on one core, taking turns so that noise hits all alike; nothing is asserted here."""
 
-import json
-import shutil
-import subprocess
+import argparse
 import sys
 import tempfile
-import time
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-PEERS = Path(__file__).resolve().parent / "peers"
-DRAG = 5.57953523384  # Schäfer & Turek case 2D-1, reference value of the FeatFlow group
-LADDER = {8: 0.0125, 16: 0.00625, 32: 0.003125}  # D/h: size on the cylinder [m] for D = 0.1 m
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from bench.cases import CASES
+from bench.measure import measure
+from bench.results import draw, table, write_json
+from bench.tools import ROOT, Run
+
+ROUNDS = 3
+LONG = 20  # seconds from which a run is not repeated
 
 
-def ours(ratio: int, folder: Path) -> dict:
-    """One run of configs/cylinder_steady.toml with the given D/h; its summary."""
-    run = folder / f"embedded-{ratio}"
-    command = [str(ROOT / "fpi"), "run", "cylinder_steady", "--out", str(run), "--json",
-               "--set", f"fluid.mesh.refinements.0.size={LADDER[ratio]}", "--set", "output.fields=false"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        sys.exit(f"bench: `{' '.join(command)}` ended with status {done.returncode}:\n{done.stderr}")
-    return json.loads(done.stdout)
-
-
-def freefem(edges: int) -> tuple[int, float, float]:
-    """The case in FreeFem++ with that many edges around the cylinder: unknowns, drag coefficient, seconds."""
-    start = time.monotonic()
-    command = ["FreeFem++", "-nw", "-v", "0", str(PEERS / "dfg_2d1.edp"), str(edges)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        sys.exit(f"bench: `{' '.join(command)}` ended with status {done.returncode}:\n{done.stdout[-500:]}")
-    unknowns, drag = done.stdout.split()[-2:]
-    return int(unknowns), float(drag), time.monotonic() - start
-
-
-def row(name: str, unknowns: int, error: float, seconds: float, rest: str = "") -> None:
-    print(f"{name:22s} {unknowns:10d} {error:12.2e} {seconds:9.2f}  {rest}")
+def compare(case, runs: list[Run]) -> list[dict]:
+    """Each program's fastest run of some rounds, in which they take turns."""
+    fastest: dict[str, dict] = {}
+    for _ in range(ROUNDS):
+        for run in runs:
+            before = fastest.get(run.tool)
+            if before and before["seconds"] > LONG:
+                continue
+            measured = measure(run.command)
+            found = run.read(measured.output)
+            if before is None or measured.seconds < before["seconds"]:
+                fastest[run.tool] = {
+                    "tool": run.tool, "size": run.size, "unknowns": found.unknowns, "seconds": measured.seconds,
+                    "megabytes": measured.megabytes, "values": found.values, "errors": case.errors(found.values),
+                    "parts": found.parts}
+    return list(fastest.values())
 
 
 def main() -> None:
-    print(f"{'DFG 2D-1':22s} {'unknowns':>10s} {'cd error':>12s} {'wall s':>9s}  where it goes [s]")
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("cases", nargs="*", metavar="CASE", help=f"of {', '.join(CASES)}; all where none is named")
+    parser.add_argument("--quick", action="store_true", help="the coarsest mesh of each program")
+    parser.add_argument("--rungs", type=int, default=9, metavar="N", help="the N coarsest meshes of each program")
+    parser.add_argument("--out", type=Path, default=ROOT / "runs" / "bench", metavar="DIR", help="for JSON and picture")
+    arguments = parser.parse_args()
+    names = arguments.cases or list(CASES)
+    if unknown := set(names) - set(CASES):
+        parser.error(f"a case of {', '.join(CASES)} is required; got {', '.join(unknown)}")
+    arguments.out.mkdir(parents=True, exist_ok=True)
+
+    results = {}
     with tempfile.TemporaryDirectory() as folder:
-        for ratio in LADDER:
-            summary = ours(ratio, Path(folder))
-            seconds = summary["wall_seconds"]
-            parts = ", ".join(f"{key} {seconds[key]:.2f}" for key in ("mesh", "assembly", "factor", "solve", "interface"))
-            row(f"fpi embedded D/h = {ratio}", summary["unknowns"], abs(summary["coefficients"]["drag"] / DRAG - 1),
-                seconds["total"], parts)
-    if shutil.which("FreeFem++"):
-        for edges in (64, 128, 256):
-            unknowns, drag, seconds = freefem(edges)
-            row(f"FreeFem++ {edges} edges", unknowns, abs(drag / DRAG - 1), seconds)
+        for name in names:
+            case = CASES[name]
+            rungs = case.rungs(Path(folder))[:1 if arguments.quick else arguments.rungs]
+            results[name] = [row for rung in rungs for row in compare(case, rung)]
+            results[name].sort(key=lambda one: one["tool"])
+            print(table(case, results[name]), flush=True)
+            write_json(results, arguments.out / "fluid.json")
+            draw(CASES, results, arguments.out / "fluid.png")
+    print(f"{arguments.out}/fluid.json, fluid.png")
 
 
 if __name__ == "__main__":

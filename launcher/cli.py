@@ -65,7 +65,9 @@ def parser() -> argparse.ArgumentParser:
     testing.add_argument("--preset", choices=build.PRESETS, default="release")
     testing.add_argument("--jobs", type=positive, metavar="N", help="compilers and tests at a time")
     word("demo", do_demo, "install, build, let a disc settle, draw it")
-    word("bench", do_bench, "run time against error on the benchmark scenes")
+    bench = word("bench", do_bench, "run time against error on the benchmark flows, beside FreeFem++ and dolfinx")
+    bench.add_argument("subject", nargs="?", choices=("fluid",), default="fluid", help="what is measured")
+    bench.add_argument("rest", nargs=argparse.REMAINDER, metavar="...", help="its options; -h names them")
     keys = word("keys", do_keys, "make the keys for runs across machines")
     keys.add_argument("folder", type=Path, metavar="DIR", help="folder for the keys")
     return top
@@ -174,10 +176,11 @@ def do_demo(_arguments) -> int:
     return main(["plot", folder])
 
 
-def do_bench(_arguments) -> int:
+def do_bench(arguments) -> int:
     packages.ensure()
     build.build()
-    return subprocess.run([sys.executable, "-I", str(ROOT / "bench" / "fluid.py")], check=False).returncode
+    script = ROOT / "bench" / f"{arguments.subject}.py"
+    return subprocess.run([sys.executable, "-I", str(script), *arguments.rest], check=False).returncode
 
 
 def do_keys(arguments) -> int:

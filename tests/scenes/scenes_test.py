@@ -3,12 +3,17 @@
 
 import csv
 import json
+import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+from bench.oscillation import shedding  # noqa: E402
+
 DRAG, LIFT, PRESSURE = 5.57953523384, 0.010618948146, 0.11752016697  # Schäfer & Turek, case 2D-1
 
 
@@ -38,6 +43,7 @@ class Scenes(unittest.TestCase):
         probes = self.run_scene("cavity")["probes"]
         self.assert_near(probes["centre_u"], -0.20519, 1e-4)
         self.assert_near(probes["centre_v"], 6.37e-4, 5e-3)
+        self.assert_near(probes["corner_pressure"], 345, 1e-2)
 
     def test_cylinder_steady(self):
         summary = self.run_scene("cylinder_steady")
@@ -53,6 +59,46 @@ class Scenes(unittest.TestCase):
         self.assert_near(summary["coefficients"]["drag"], DRAG, 1e-4)
         self.assertLess(abs(summary["coefficients"]["lift"] - LIFT), 2e-4)
         self.assert_near(summary["probes"]["pressure_difference"], PRESSURE, 1e-3)
+
+    def test_step_channel_fitted(self):
+        """No reference is at hand: 3.5125, 3.5325 and 3.5392 on meshes of size 1, 0.5 and 0.3, extrapolated."""
+        coefficients = self.run_scene("step_channel_fitted")["coefficients"]
+        self.assert_near(coefficients["drag"], 3.55, 1.5e-2)
+
+    def test_cylinder_shedding_starts(self):
+        """Half a second of rising inflow in both meshes: the same drag, without ringing from step to step."""
+        drag = []
+        for scene in ("cylinder_shedding_fitted", "cylinder_shedding"):
+            self.run_scene(scene, "time.step=0.025", "time.end=0.5", "output.fields=false")
+            drag.append(self.history()["drag"])
+            self.assertLess(max(abs(a - 2 * b + c) for a, b, c in zip(drag[-1][3:], drag[-1][4:], drag[-1][5:])), 0.1)
+            shutil.rmtree(self.run_folder)
+        self.assert_near(drag[0][-1], drag[1][-1], 1e-2)
+
+    def test_cylinder_shedding_fitted(self):
+        self.assert_sheds("cylinder_shedding_fitted")
+
+    def test_cylinder_shedding(self):
+        self.assert_sheds("cylinder_shedding")
+
+    def assert_sheds(self, scene: str):
+        """Extrema of settled periods, all by parabolas through three samples, against FeatFlow's finest series."""
+        self.run_scene(scene, "output.fields=false")
+        history = self.history()
+        found = shedding(zip(history["time"], history["drag"], history["lift"]), start=8, length=0.1, velocity=1)
+        for name, expected in {"cd_max": 3.227393, "cd_min": 3.164263, "cl_range": 2.007871, "St": 0.301841}.items():
+            self.assert_near(found[name], expected, 3e-3)
+
+    def test_cylinder_pulse(self):
+        self.run_scene("cylinder_pulse", "output.fields=false")
+        history = self.history()
+        drag, time = max(zip(history["drag"], history["time"]))
+        self.assert_near(drag, 2.950921575, 1e-3)
+        self.assertLess(abs(time - 3.93625), 0.011)
+        lift, time = max(zip(history["lift"], history["time"]))
+        self.assert_near(lift, 0.47795, 2e-2)
+        self.assertLess(abs(time - 5.693125), 0.021)
+        self.assert_near(history["pressure_difference"][-1], -0.1116, 1e-2)
 
     def test_dry_grains(self):
         bodies = {body["name"]: body for body in self.run_scene("dry_grains")["bodies"]}

@@ -1,0 +1,81 @@
+"""The benchmark flows: their reference values and, from coarse to fine, what each program runs."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from bench.oscillation import shedding
+from bench.tools import Run, cylinder_mesh, dolfinx, fpi, freefem, history
+
+
+@dataclass
+class Case:
+    title: str
+    references: dict[str, tuple[float, str]]  # value and what errors are measured in: absolute or relative
+    rungs: Callable[[Path], list[list[Run]]]  # runs by fineness; may write meshes into the folder
+
+    def errors(self, values: dict[str, float]) -> dict[str, float]:
+        """Of each quantity; nothing for those that were not found."""
+        return {name: abs(values[name] - reference) / (abs(reference) if kind == "relative" else 1)
+                for name, (reference, kind) in self.references.items() if name in values}
+
+
+def forces(found: dict) -> dict:
+    return {"cd": found["drag"], "cl": found["lift"]}
+
+
+def steady_cylinder(folder: Path) -> list[list[Run]]:
+    def ours(summary, _run):
+        return forces(summary["coefficients"])
+
+    def fitted(tool, size, order, *more):
+        return fpi(tool, f"size {size:g}", "cylinder_fitted", folder,
+                   [f"fluid.mesh.file={cylinder_mesh(size, order, folder)}", *more], ours)
+
+    def rung(size: float, ratio: int, edges: int) -> list[Run]:
+        cell = f"fluid.mesh.refinements.0.size={0.1 / ratio:g}"
+        wake = f"fluid.mesh.refinements.1.size={0.4 / ratio:g}"
+        curved = cylinder_mesh(size, 2, folder)
+        return [fitted("fpi fitted straight", size, 1),
+                fitted("fpi fitted curved", size, 2),
+                fitted("fpi fitted curved, MUMPS", size, 2, "fluid.linear_solver=\"mumps\""),
+                fpi("fpi embedded", f"D/h {ratio}", "cylinder_steady", folder, [cell, wake], ours),
+                *dolfinx(f"size {size:g}", "dfg_2d1.py", [curved], forces),
+                *freefem(f"{edges} edges", "dfg_2d1.edp", [edges], forces)]
+
+    return [rung(2, 8, 32), rung(1, 16, 64), rung(0.5, 32, 128), rung(0.3, 48, 192)]
+
+
+def shedding_cylinder(folder: Path) -> list[list[Run]]:
+    end, start = 10, 8
+
+    def measured(series):
+        return shedding(series, start, length=0.1, velocity=1)
+
+    def ours(_summary, run):
+        return measured(history(run, "time", "drag", "lift"))
+
+    def theirs(found):
+        return measured(found["series"])
+
+    def rung(size: float, ratio: int, edges: int, step: float, split_step: float) -> list[Run]:
+        common = [f"time.step={step:g}", "output.fields=false"]
+        curved = cylinder_mesh(size, 2, folder)
+        return [fpi("fpi fitted curved", f"size {size:g}, step {step:g}", "cylinder_shedding_fitted", folder,
+                    [*common, f"fluid.mesh.file={curved}"], ours),
+                fpi("fpi embedded", f"D/h {ratio}, step {step:g}", "cylinder_shedding", folder,
+                    [*common, f"fluid.mesh.refinements.0.size={0.1 / ratio:g}",
+                     f"fluid.mesh.refinements.1.size={0.2 / ratio:g}"], ours),
+                *dolfinx(f"size {size:g}, step {split_step:g}", "dfg_2d2.py", [curved, split_step, end, start], theirs),
+                *freefem(f"{edges} edges, step {step:g}", "dfg_2d2.edp", [edges, step, end, start], theirs)]
+
+    return [rung(1.4, 8, 48, 0.01, 0.005), rung(1, 12, 64, 0.005, 0.0025)]
+
+
+CASES = {
+    "2d1": Case("DFG 2D-1, steady cylinder", {"cd": (5.57953523384, "absolute"), "cl": (0.010618948146, "absolute")},
+                steady_cylinder),
+    "2d2": Case("DFG 2D-2, vortex shedding, 10 s",
+                {"cd_max": (3.227393, "relative"), "cd_min": (3.164263, "relative"), "cl_range": (2.007871, "relative"),
+                 "St": (0.301841, "relative")}, shedding_cylinder),
+}
