@@ -5,14 +5,7 @@
 namespace fpi::fluid {
 
 Vector Anderson::step(const Vector& correction, const Vector& weight) {
-  if (last_step_.size() > 0) {
-    if (steps_.size() == depth) {
-      steps_.erase(steps_.begin());
-      changes_.erase(changes_.begin());
-    }
-    steps_.push_back(last_step_);
-    changes_.push_back(correction - last_correction_);
-  }
+  if (last_step_.size() > 0) remember(last_step_, correction - last_correction_, weight);
   last_correction_ = correction;
   Vector step = correction;
   if (!steps_.empty()) {
@@ -25,6 +18,17 @@ Vector Anderson::step(const Vector& correction, const Vector& weight) {
   }
   last_step_ = step;
   return step;
+}
+
+/// A correction that did not change tells nothing, and a column of zeros is no basis.
+void Anderson::remember(const Vector& step, const Vector& change, const Vector& weight) {
+  if (weight.cwiseProduct(change).norm() == 0) return;
+  if (steps_.size() == depth) {
+    steps_.erase(steps_.begin());
+    changes_.erase(changes_.begin());
+  }
+  steps_.push_back(step);
+  changes_.push_back(change);
 }
 
 void Anderson::clear() {

@@ -19,6 +19,8 @@ class Anderson {
   void clear();
 
  private:
+  void remember(const Vector& step, const Vector& change, const Vector& weight);
+
   std::vector<Vector> steps_, changes_;  // x_{j+1} − x_j, δ_{j+1} − δ_j
   Vector last_step_, last_correction_;
 };

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "core/log.hpp"
+#include "fluid/steady.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -94,8 +94,8 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   }
   system_->set_load(request.time, body_force_);
   base_.fields = {guess(request.time_step), start_.p, Vector::Zero(2 * system_->cut().n_multipliers())};
-  base_.factor = serving_factor();
-  base_.cost = kept_.cost;
+  base_.factor = nullptr;
+  if (system_ == accepted_system_) kept_.lend(base_, time_terms_.inertia, flow_.convection == 0);
   return result;
 }
 
@@ -105,27 +105,6 @@ Vector NavierStokes::guess(double time_step) const {
   if (!accepted_.has_acceleration) return start_.u;
   if (settings_.bodies_move) return start_.u + time_step * start_.acceleration;
   return predicted_velocity(start_, time_step);
-}
-
-/// The factor of the last step where it fits this one: the matrix depends on geometry, inertia and velocity.
-/// A linear problem trusts it, so there it must fit to the bit.
-std::shared_ptr<const Factor> NavierStokes::serving_factor() const {
-  if (system_ != accepted_system_ || !kept_.factor) return nullptr;
-  const Vector &now = time_terms_.inertia, &then = kept_inertia_;
-  const bool same = now == then;
-  const bool close = ((now - then).array().abs() <= 0.25 * then.array()).all();
-  return same || (close && flow_.convection > 0) ? kept_.factor : nullptr;
-}
-
-/// A factor is kept until a step with it costs more than its steps did on average, itself included: then a
-/// new one is cheaper.
-void NavierStokes::keep_factor() {
-  const bool is_new = current_.factor != kept_.factor;
-  const double of_step = current_.cost - (is_new ? 0 : kept_.cost);
-  kept_steps_ = is_new ? 1 : kept_steps_ + 1;
-  kept_.factor = of_step > current_.cost / kept_steps_ ? nullptr : current_.factor;
-  kept_.cost = current_.cost;
-  kept_inertia_ = time_terms_.inertia;
 }
 
 /// Two backward Euler steps of vanishing length: the first makes the velocity divergence-free and has it meet
@@ -158,48 +137,9 @@ NewtonResult NavierStokes::solve_step(const Request& request) {
   space_.boundary.impose(request.time, current_.fields.u);
   space_.boundary.check_net_flux(request.time, current_.fields.u);
   for (Index v : system_->numbering().pinned) current_.fields.p[v] = 0;
-  if (request.time_step == 0 && flow_.convection > 0) return solve_steady();
+  if (request.time_step == 0 && request.sub_iteration == 0)
+    return solve_steady(*system_, flow_, settings_.fluid.newton, current_, monitor);
   return solve(*system_, flow_, time_terms_, settings_.fluid.newton, current_, monitor);
-}
-
-/// From Stokes flow by Newton's iteration; where that stalls, by way of flows with a part of the convection,
-/// which is a continuation in the Reynolds number.
-NewtonResult NavierStokes::solve_steady() {
-  constexpr double smallest_part = 1.0 / 128;
-  Flow flow = flow_;
-  flow.convection = 0;
-  current_.factor.reset();
-  NewtonResult result = solve(*system_, flow, time_terms_, settings_.fluid.newton, current_, monitor);
-  double part = 1;  // of the Reynolds number, from one flow to the next
-  while (result.converged && flow.convection < flow_.convection) {
-    const double reached = flow.convection;
-    const Fields fields = current_.fields;
-    flow.convection = std::min(reached + part, flow_.convection);
-    const NewtonResult next = solve(*system_, flow, time_terms_, settings_.fluid.newton, current_, monitor);
-    result.iterations += next.iterations;
-    result.update = next.update;
-    if (next.converged) {
-      part *= 2;
-      continue;
-    }
-    log::info(
-        "the steady flow at {:.3g} of the Reynolds number was not found ({}): going on from {:.3g} in "
-        "smaller steps",
-        flow.convection, next.reason, reached);
-    monitor.ledger.counts["continuation_retreats"] += 1;
-    flow.convection = reached;
-    current_.fields = fields;
-    current_.factor.reset();
-    part /= 4;
-    if (part >= smallest_part) continue;
-    result.converged = false;
-    result.reason = fmt::format(
-        "no steady flow was found beyond {:.3g} of the Reynolds number, also by continuation: {}. Take a "
-        "finer "
-        "mesh there, or solve in time: there may be no steady flow",
-        reached, next.reason);
-  }
-  return result;
 }
 
 std::vector<BodyTraction> NavierStokes::tractions() const {
@@ -247,7 +187,7 @@ void NavierStokes::accept() {
     accepted_.u.segment<2>(2 * covered.node) = body_velocity(covered);
     accepted_.acceleration.segment<2>(2 * covered.node).setZero();
   }
-  keep_factor();
+  kept_.take(current_, time_terms_.inertia);
   accepted_system_ = system_;
   last_.reset();
 }
@@ -266,7 +206,7 @@ void NavierStokes::set_state(State state) {
 }
 
 void NavierStokes::drop_caches() {
-  kept_ = {};
+  kept_.drop();
   base_.factor.reset();
   current_.factor.reset();
 }

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "fluid/newton.hpp"
+#include "fluid/kept_factor.hpp"
 #include "fluid/state.hpp"
 #include "fluid/time_scheme.hpp"
 
@@ -83,10 +83,7 @@ class NavierStokes {
   NewtonResult start_step(const Request& request);
   NewtonResult find_consistent_start(const Request& request, State& start);
   NewtonResult solve_step(const Request& request);
-  NewtonResult solve_steady();
   Vector guess(double time_step) const;
-  std::shared_ptr<const Factor> serving_factor() const;
-  void keep_factor();
   std::vector<BodyTraction> tractions() const;
   Vec2 body_velocity(const CoveredNode& covered) const;
   void measure_boundaries();
@@ -100,12 +97,10 @@ class NavierStokes {
 
   std::shared_ptr<System> system_;  // of the last geometry asked for
   TimeTerms time_terms_;
-  Iterate base_, current_;   // before and after the last sub-iteration
-  Vector gamma_;             // of the nodes in this step
-  State start_;              // of this step: the accepted state, made consistent at the first step
-  Iterate kept_;             // the factor that the last accepted step ended with, and its cost
-  Vector kept_inertia_;      // that it was last used with
-  unsigned kept_steps_ = 0;  // that it has served
+  Iterate base_, current_;  // before and after the last sub-iteration
+  Vector gamma_;            // of the nodes in this step
+  State start_;             // of this step: the accepted state, made consistent at the first step
+  KeptFactor kept_;         // of the accepted system
   std::shared_ptr<System> accepted_system_;
   std::vector<Interface> accepted_interfaces_;
   std::optional<Request> last_;  // nothing since the last accept or restore
