@@ -39,7 +39,7 @@ def parser() -> argparse.ArgumentParser:
     def script_options(sub):
         sub.add_argument("--quiet", action="store_true", help="print errors only")
         sub.add_argument("--json", action="store_true", help="print summary.json at the end, and errors, only")
-        sub.add_argument("--jobs", type=positive, metavar="N", help="threads of each program (default 1)")
+        sub.add_argument("--jobs", type=positive, metavar="N", help="threads of each program (default: all cores for assembly, one for dense kernels)")
         sub.add_argument("--listen", metavar="ADDRESS", help="where the coupler binds, e.g. tcp://0.0.0.0:5555")
         sub.add_argument("--keys", type=Path, metavar="DIR", help="folder of keys, needed beyond this machine")
 

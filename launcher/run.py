@@ -174,11 +174,11 @@ class Run:
                     self.tell(role, NOT_STARTED)
 
     def environment(self) -> dict[str, str]:
-        """Threads of the dense kernels: one unless asked otherwise, as more only get in the way of small fronts."""
-        names = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")
+        """Unless asked otherwise elements are assembled on all cores, and dense kernels run on one, as more only get in
+        the way of small fronts."""
         if self.request.threads is None:
-            return {name: "1" for name in names if name not in os.environ}
-        return {name: str(self.request.threads) for name in names}
+            return {} if "OPENBLAS_NUM_THREADS" in os.environ else {"OPENBLAS_NUM_THREADS": "1"}
+        return {name: str(self.request.threads) for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")}
 
     def output_path(self, role: str) -> Path:
         """Where a program's words outside its log go: a crash, a sanitizer's report."""

@@ -6,7 +6,8 @@
 namespace fpi::fluid {
 namespace {
 
-constexpr int most_stripes = 16, fewest_cells = 250;
+constexpr int most_stripes = 16;
+constexpr int fewest_cells = 1000;  ///< of a stripe: fewer are done before a thread has started
 
 /// Cells from one end of the longer side of the mesh to the other.
 std::vector<Index> along_the_longer_side(const Mesh& mesh) {

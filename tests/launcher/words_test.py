@@ -134,10 +134,10 @@ class Parts(unittest.TestCase):
             self.assertEqual(run.reachable(f"tcp://{everywhere}:5555", "127.0.0.1"), "tcp://127.0.0.1:5555")
         self.assertEqual(run.reachable("tcp://10.0.0.5:5555", "127.0.0.1"), "tcp://10.0.0.5:5555")
 
-    def test_programs_get_one_thread_unless_the_user_says_otherwise(self):
+    def test_dense_kernels_get_one_thread_and_assembly_all_cores_unless_the_user_says_otherwise(self):
         one = run.Run(run.Request(Path("a.toml"), Path("r")), {}, None)
         three = run.Run(run.Request(Path("a.toml"), Path("r"), threads=3), {}, None)
-        with mock.patch.dict(run.os.environ, {"OMP_NUM_THREADS": "2"}, clear=True):
+        with mock.patch.dict(run.os.environ, {}, clear=True):
             self.assertEqual(one.environment(), {"OPENBLAS_NUM_THREADS": "1"})
             self.assertEqual(three.environment(), {"OMP_NUM_THREADS": "3", "OPENBLAS_NUM_THREADS": "3"})
 

@@ -18,7 +18,7 @@ void expect_only_neighbours_to_meet(const Mesh& mesh, const Stripes& stripes) {
 }
 
 TEST(Stripes, share_nodes_with_their_neighbours_only) {
-  const Mesh mesh = make_rectangle(uniform_lines(0, 3, 90), uniform_lines(0, 1, 30));
+  const Mesh mesh = make_rectangle(uniform_lines(0, 3, 150), uniform_lines(0, 1, 40));
   const Stripes stripes = make_stripes(mesh);
   EXPECT_GT(stripes.n, 8);
   expect_only_neighbours_to_meet(mesh, stripes);
