@@ -43,11 +43,82 @@ Json bodies(const Summary& summary) {
   return list;
 }
 
+Json boundaries(const Summary& summary) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < summary.boundaries.size(); ++i) {
+    const std::string& name = summary.boundary_names[i];
+    const BoundaryLoad& load = summary.boundaries[i];
+    list.push_back(
+        {{"name", name},
+         {"force", {load.fx, load.fy, 0}},
+         {"torque", {0, 0, load.torque}},
+         {"centre",
+          {figure(summary, "fluid", "centre_x:" + name), figure(summary, "fluid", "centre_y:" + name), 0}}});
+  }
+  return list;
+}
+
+Json signals(const Summary& summary) {
+  Json all = Json::object();
+  for (const auto& [name, signal] : summary.signals) {
+    const SignalFigures& f = signal.figures;
+    Json& one = all[name] = {{"min", f.smallest.value},
+                             {"min_time", f.smallest.time},
+                             {"max", f.largest.value},
+                             {"max_time", f.largest.time},
+                             {"mean", f.mean}};
+    if (const auto& o = f.oscillation) {
+      one["frequency"] = o->frequency;
+      one["periods"] = o->periods;
+      one["peak_spread"] = o->peak_spread;
+      one["settled"] = o->is_settled();
+    }
+    if (signal.strouhal) one["strouhal"] = *signal.strouhal;
+  }
+  return all;
+}
+
+/// "min:NAME", "min_x:NAME", … of the fluid, by profile.
+Json profiles(const Summary& summary) {
+  Json all = Json::object();
+  for (const std::string& name : summary.profile_names)
+    for (const std::string kind : {"min", "max"}) {
+      const auto part = [&](const std::string& suffix) {
+        return figure(summary, "fluid", kind + suffix + name);
+      };
+      all[name][kind] = part(":");
+      all[name][kind + "_at"] = {part("_x:"), part("_y:")};
+    }
+  return all;
+}
+
+/// Figures "PREFIX…" of the fluid without the prefix.
+Json figures_after(const Summary& summary, const std::string& prefix) {
+  Json all = Json::object();
+  const auto fluid = summary.figures.find("fluid");
+  if (fluid == summary.figures.end()) return all;
+  for (const auto& [name, value] : fluid->second)
+    if (name.starts_with(prefix)) all[name.substr(prefix.size())] = value;
+  return all;
+}
+
+/// Plain figures of every participant, whatever it counts.
+Json counts(const Summary& summary) {
+  Json all = Json::object();
+  for (const auto& [role, figures] : summary.figures) {
+    all[role] = Json::object();
+    for (const auto& [name, value] : figures)
+      if (name.find(':') == std::string::npos && name != "peak_memory_bytes") all[role][name] = value;
+  }
+  return all;
+}
+
 Json wall_seconds(const Summary& summary) {
   Json seconds{{"total", summary.wall_total}};
   for (const char* part : {"mesh", "assembly", "factor", "solve", "interface"}) {
     seconds[part] = figure(summary, "fluid", std::string("seconds:") + part);
   }
+  seconds.update(figures_after(summary, "seconds:"));  // whatever else it measured
   seconds["dem"] = figure(summary, "dem", "seconds:dem");
   seconds["coupling"] = summary.wall_coupling;
   seconds["output"] = summary.wall_output;
@@ -94,8 +165,13 @@ std::string to_json(const Summary& s) {
                 {"fluid_server", count(s, "fluid", "peak_memory_bytes")},
                 {"dem_server", count(s, "dem", "peak_memory_bytes")}}},
               {"bodies", bodies(s)},
+              {"boundaries", boundaries(s)},
               {"coefficients", s.coefficients},
-              {"probes", s.probes}}
+              {"probes", s.probes},
+              {"signals", signals(s)},
+              {"profiles", profiles(s)},
+              {"errors", figures_after(s, "error:")},
+              {"counts", counts(s)}}
              .dump(2) +
          "\n";
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "extrema.hpp"
 #include "plan.hpp"
 #include "proto/messages.hpp"
 #include "run.hpp"
@@ -23,7 +24,11 @@ struct Summary {
   double peak_memory = 0;                                     ///< [B] of this process
   std::vector<std::string> body_names;
   CoupledState bodies;
+  std::vector<std::string> boundary_names;
+  std::vector<BoundaryLoad> boundaries;
   std::map<std::string, double> coefficients, probes;
+  MeasuredSignals signals;
+  std::vector<std::string> profile_names;
 };
 
 std::string to_json(const Plan& plan);

@@ -1,5 +1,8 @@
 #include "recorder.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "core/error.hpp"
 #include "wire.hpp"
 
@@ -14,8 +17,11 @@ std::vector<std::string> history_columns(const scene::Scene& scene) {
       columns.push_back(body.name + "." + quantity);
     }
   }
+  for (const std::string& boundary : holding_boundaries(scene))
+    for (const char* quantity : {"fx", "fy", "torque"}) columns.push_back(boundary + "." + quantity);
   for (const scene::Probe& probe : scene.probes) columns.push_back(probe.name);
-  if (scene.coefficients) columns.insert(columns.end(), {"drag", "lift"});
+  for (const scene::Coefficients& coefficients : scene.coefficients)
+    for (const char* quantity : {"drag", "lift"}) columns.push_back(column_of(coefficients, quantity));
   return columns;
 }
 
@@ -32,9 +38,23 @@ std::optional<output::BodyWriter> new_body_file(const scene::Scene& scene, const
 
 bool has_interface(const scene::Scene& scene) { return scene.fluid && !scene.bodies.empty(); }
 
-std::string history_file(const std::string& folder) { return folder + "/history.csv"; }
+/// A file of curves, made when there are any.
+void record_curves(double time, const std::vector<proto::Curve>& curves, const std::string& path,
+                   const char* quantity, std::optional<output::CurveWriter>& writer) {
+  if (curves.empty()) return;
+  if (!writer) writer.emplace(path, quantity);
+  std::vector<output::CurveView> views;
+  for (const proto::Curve& curve : curves)
+    views.push_back({curve.name, curve.points, curve.lines, curve.components, curve.values});
+  writer->write(time, views);
+}
+
+std::string boundary_file(const std::string& folder) { return folder + "/boundaries.h5"; }
+std::string profile_file(const std::string& folder) { return folder + "/profiles.h5"; }
 
 }  // namespace
+
+std::string history_file(const std::string& folder) { return folder + "/history.csv"; }
 
 Recorder::Recorder(const scene::Scene& scene, const std::string& folder)
     : scene_(scene),
@@ -50,6 +70,8 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder, const s
   if (!scene.bodies.empty()) bodies_.emplace(folder, kept(0));
   if (has_interface(scene)) interface_.emplace(folder, kept(1));
   if (kept(2) > 0) fields_.emplace(folder, kept(2));
+  if (kept(3) > 0) boundaries_.emplace(boundary_file(folder), "traction", kept(3));
+  if (kept(4) > 0) profiles_.emplace(profile_file(folder), "value", kept(4));
 }
 
 void Recorder::flush() {
@@ -57,8 +79,9 @@ void Recorder::flush() {
 }
 
 std::vector<double> Recorder::sizes() const {
-  return {static_cast<double>(history_.size()), interface_ ? static_cast<double>(interface_->size()) : 0,
-          fields_ ? static_cast<double>(fields_->size()) : 0};
+  const auto size = [](const auto& writer) { return writer ? static_cast<double>(writer->size()) : 0; };
+  return {static_cast<double>(history_.size()), size(interface_), size(fields_), size(boundaries_),
+          size(profiles_)};
 }
 
 void Recorder::record_step(double time, const Attempt& attempt, const Simulation& simulation,
@@ -75,14 +98,19 @@ void Recorder::record_step(double time, const Attempt& attempt, const Simulation
     const auto& [force, torque] = simulation.state().loads[i];
     line.insert(line.end(), {motion.position.x(), motion.position.y(), motion.velocity.x(),
                              motion.velocity.y(), motion.spin.z(), force.x(), force.y(), torque.z()});
-    rows.push_back({.position = to_wire(motion.position),
-                    .velocity = to_wire(motion.velocity),
-                    .spin = to_wire(motion.spin),
-                    .force = to_wire(force),
-                    .torque = to_wire(torque)});
+    const Eigen::AngleAxisd rotation(motion.orientation);
+    rows.push_back(
+        {.position = to_wire(motion.position),
+         .rotation = to_wire(rotation.axis() * std::remainder(rotation.angle(), 2 * std::numbers::pi)),
+         .velocity = to_wire(motion.velocity),
+         .spin = to_wire(motion.spin),
+         .force = to_wire(force),
+         .torque = to_wire(torque)});
   }
+  for (const BoundaryLoad& load : reported.boundaries)
+    line.insert(line.end(), {load.fx, load.fy, load.torque});
   line.insert(line.end(), reported.probes.begin(), reported.probes.end());
-  if (const auto& c = reported.coefficients) line.insert(line.end(), {c->drag, c->lift});
+  for (const DragLift& c : reported.coefficients) line.insert(line.end(), {c.drag, c.lift});
   history_.append(line);
   if (bodies_) bodies_->append(time, rows);
 }
@@ -119,6 +147,8 @@ void Recorder::record_fields(double time, const proto::Fields& fields) {
     views.push_back({field.name, field.on_cells, field.components, field.values});
   }
   fields_->write(time, views);
+  record_curves(time, fields.boundaries, boundary_file(folder_), "traction", boundaries_);
+  record_curves(time, fields.profiles, profile_file(folder_), "value", profiles_);
 }
 
 }  // namespace fpi

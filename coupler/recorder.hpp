@@ -1,5 +1,6 @@
-/// The result files of a run folder: history.csv and bodies.h5 at every step; fields.h5, fields.xdmf and
-/// interface.h5 at the steps that are written. What a scene does not have gets no file.
+/// The result files of a run folder: history.csv and bodies.h5 at every step; fields.h5, fields.xdmf,
+/// interface.h5, boundaries.h5 and profiles.h5 at the steps that are written. What a scene does not have gets
+/// no file.
 #pragma once
 
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "output/body_writer.hpp"
+#include "output/curve_writer.hpp"
 #include "output/field_writer.hpp"
 #include "output/interface_writer.hpp"
 #include "output/table.hpp"
@@ -14,6 +16,8 @@
 #include "simulation.hpp"
 
 namespace fpi {
+
+std::string history_file(const std::string& folder);
 
 class Recorder {
  public:
@@ -40,7 +44,9 @@ class Recorder {
   output::Table history_;
   std::optional<output::BodyWriter> bodies_;
   std::optional<output::InterfaceWriter> interface_;
-  std::optional<output::FieldWriter> fields_;  ///< from the first fields on
+  // From the first fields on:
+  std::optional<output::FieldWriter> fields_;
+  std::optional<output::CurveWriter> boundaries_, profiles_;
 };
 
 }  // namespace fpi

@@ -1,6 +1,7 @@
 #include "reported.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/error.hpp"
@@ -8,14 +9,14 @@
 namespace fpi {
 namespace {
 
-double boundary_force(const Simulation& simulation, const std::string& name) {
-  const std::optional<double> force = simulation.figure(name);
-  require(force.has_value(),
-          "the fluid must report \"{}\" with every accepted step; it did not: remove [coefficients] from the "
-          "scene, or "
-          "use a fluid that offers it",
-          name);
-  return *force;
+double figure_or_nan(const Simulation& simulation, const std::string& name) {
+  return simulation.figure(name).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+BoundaryLoad boundary_load(const Simulation& simulation, const std::string& name) {
+  return {.fx = figure_or_nan(simulation, "force_x:" + name),
+          .fy = figure_or_nan(simulation, "force_y:" + name),
+          .torque = figure_or_nan(simulation, "torque:" + name)};
 }
 
 DragLift drag_lift(const scene::Coefficients& asked, const scene::Scene& scene,
@@ -24,8 +25,12 @@ DragLift drag_lift(const scene::Coefficients& asked, const scene::Scene& scene,
       0.5 * scene.fluid->density * asked.velocity * asked.velocity * asked.length * scene.thickness;
   const auto body = std::ranges::find(scene.bodies, asked.on, &scene::Body::name);
   if (body == scene.bodies.end()) {
-    return {.drag = boundary_force(simulation, "force_x:" + asked.on) / unit,
-            .lift = boundary_force(simulation, "force_y:" + asked.on) / unit};
+    const BoundaryLoad load = boundary_load(simulation, asked.on);
+    require(std::isfinite(load.fx) && std::isfinite(load.fy),
+            "the fluid must report \"force_x:{}\" and \"force_y:{}\" with every accepted step; it did not: "
+            "remove the coefficients of \"{}\" from the scene, or use a fluid that offers them",
+            asked.on, asked.on, asked.on);
+    return {.drag = load.fx / unit, .lift = load.fy / unit};
   }
   const auto index = static_cast<std::size_t>(body - scene.bodies.begin());
   const Eigen::Vector3d& force = simulation.state().loads[index].force;
@@ -34,12 +39,26 @@ DragLift drag_lift(const scene::Coefficients& asked, const scene::Scene& scene,
 
 }  // namespace
 
+std::vector<std::string> holding_boundaries(const scene::Scene& scene) {
+  std::vector<std::string> names;
+  if (!scene.fluid) return names;
+  for (const auto& [name, boundary] : scene.fluid->boundaries)
+    if (boundary.holds_fluid()) names.push_back(name);
+  return names;
+}
+
+std::string column_of(const scene::Coefficients& coefficients, const std::string& quantity) {
+  return coefficients.name.empty() ? quantity : coefficients.name + "." + quantity;
+}
+
 Reported reported(const scene::Scene& scene, const Simulation& simulation) {
   Reported values;
   for (const scene::Probe& probe : scene.probes)
-    values.probes.push_back(simulation.figure(probe.name).value_or(std::numeric_limits<double>::quiet_NaN()));
-  if (scene.coefficients && scene.fluid)
-    values.coefficients = drag_lift(*scene.coefficients, scene, simulation);
+    values.probes.push_back(figure_or_nan(simulation, probe.name));
+  for (const std::string& name : holding_boundaries(scene))
+    values.boundaries.push_back(boundary_load(simulation, name));
+  for (const scene::Coefficients& asked : scene.coefficients)
+    values.coefficients.push_back(drag_lift(asked, scene, simulation));
   return values;
 }
 

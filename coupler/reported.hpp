@@ -1,7 +1,7 @@
-/// What the scene asks to be reported with every step besides the bodies: probes, drag and lift.
+/// What is reported with every step besides the bodies: probes, loads of boundaries, drag and lift.
 #pragma once
 
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "simulation.hpp"
@@ -13,12 +13,27 @@ struct DragLift {
   double drag = 0, lift = 0;
 };
 
-struct Reported {
-  std::vector<double> probes;            ///< in the order of the scene; NaN where the fluid has no value
-  std::optional<DragLift> coefficients;  ///< where the scene asks for them
+/// What the fluid does to a named boundary that holds it.
+struct BoundaryLoad {
+  double fx = 0, fy = 0;  ///< [N]
+  double torque = 0;      ///< about its centre [N m]
 };
 
-/// Of the last accepted step. Throws Error for a boundary force that the fluid did not report.
+/// In the order of the scene; NaN where the fluid has no value.
+struct Reported {
+  std::vector<double> probes;
+  std::vector<BoundaryLoad> boundaries;  ///< in the order of `holding_boundaries`
+  std::vector<DragLift> coefficients;
+};
+
+/// The named boundaries on which the velocity is given, wholly or in part.
+std::vector<std::string> holding_boundaries(const scene::Scene& scene);
+
+/// Name of the column of a coefficient, "drag" or "lift".
+std::string column_of(const scene::Coefficients& coefficients, const std::string& quantity);
+
+/// Of the last accepted step. Throws Error for a boundary force that the scene needs and the fluid did not
+/// report.
 Reported reported(const scene::Scene& scene, const Simulation& simulation);
 
 }  // namespace fpi

@@ -186,7 +186,16 @@ class Session {
     const Reported& last = run_->last_reported();
     for (std::size_t i = 0; i < last.probes.size(); ++i)
       summary_.probes[scene_.probes[i].name] = last.probes[i];
-    if (const auto& c = last.coefficients) summary_.coefficients = {{"drag", c->drag}, {"lift", c->lift}};
+    for (std::size_t i = 0; i < last.coefficients.size(); ++i) {
+      summary_.coefficients[column_of(scene_.coefficients[i], "drag")] = last.coefficients[i].drag;
+      summary_.coefficients[column_of(scene_.coefficients[i], "lift")] = last.coefficients[i].lift;
+    }
+    summary_.boundary_names = holding_boundaries(scene_);
+    summary_.boundaries = last.boundaries;
+    for (const scene::Profile& profile : scene_.profiles) summary_.profile_names.push_back(profile.name);
+    if (run_->simulation().steps() == 0) return;
+    summary_.signals = measure_signals(scene_, options_.folder);
+    write_extrema(summary_.signals, options_.folder);
   }
 
   void write_summary() {

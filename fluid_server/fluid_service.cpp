@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "fluid/scene_mesh.hpp"
+#include "measurements.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -18,11 +19,7 @@ void check_dimension(const scene::Scene& scene) {
 }
 
 Settings settings(const scene::Scene& scene) {
-  const bool on_boundary =
-      scene.coefficients && std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const scene::Body& b) {
-        return b.name == scene.coefficients->on;
-      });
-  return {*scene.fluid, Vec2(scene.gravity[0], scene.gravity[1]), scene.moves(), on_boundary};
+  return {*scene.fluid, Vec2(scene.gravity[0], scene.gravity[1]), scene.moves()};
 }
 
 Interface read_interface(const proto::Interface& m) {
@@ -49,14 +46,6 @@ proto::Traction write_traction(const BodyTraction& t, double thickness) {
   return out;
 }
 
-std::optional<double> probe(const NavierStokes& solver, const scene::Probe& p,
-                            const std::vector<double>& point) {
-  const auto value = solver.at({point[0], point[1]});
-  if (!value) return std::nullopt;
-  if (p.quantity == "pressure") return value->second;
-  return value->first[p.quantity == "velocity_x" ? 0 : 1];
-}
-
 }  // namespace
 
 proto::Configured FluidService::configure(const proto::Configure& message) {
@@ -76,13 +65,7 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
   const Mesh& mesh = solver_->mesh();
   if (!message.state.empty())
     solver_->set_state(from_bytes(message.state, mesh.n_nodes(), mesh.n_vertices()));
-  for (const scene::Probe& p : scene_.probes)
-    for (const auto* point : {&p.point, &p.minus}) {
-      if (point->empty()) continue;
-      const Vec2 x((*point)[0], (*point)[1]);
-      require(solver_->has(x), "the probe \"{}\" must lie in the mesh; ({:g}, {:g}) m does not: move it",
-              p.name, x.x(), x.y());
-    }
+  require_in_mesh(scene_, *solver_);
 
   proto::Configured out{.notes = solver_->notes()};
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
@@ -116,18 +99,7 @@ proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const prot
 
 proto::Accepted FluidService::accept() {
   solver().accept();
-  proto::Accepted out;
-  for (const scene::Probe& p : scene_.probes) {
-    const auto value = probe(solver(), p, p.point);
-    const auto minus = p.minus.empty() ? std::optional<double>(0) : probe(solver(), p, p.minus);
-    if (value && minus)
-      out.figures.emplace_back(p.name, *value - *minus);  // a body may cover the point for a while
-  }
-  for (const auto& [name, force] : solver().boundary_forces()) {
-    out.figures.emplace_back("force_x:" + name, scene_.thickness * force.x());
-    out.figures.emplace_back("force_y:" + name, scene_.thickness * force.y());
-  }
-  return out;
+  return {step_figures(scene_, solver())};
 }
 
 void FluidService::restore() { solver().restore(); }
@@ -151,6 +123,8 @@ proto::Fields FluidService::write(const proto::Write& message) {
   proto::Field active{.name = "active", .on_cells = true};
   for (const bool is_active : solver().active_cells()) active.values.push_back(is_active ? 1 : 0);
   out.fields = {std::move(velocity), std::move(pressure), std::move(active)};
+  out.boundaries = boundary_curves(solver());
+  out.profiles = profile_curves(scene_, solver());
   return out;
 }
 
@@ -160,8 +134,8 @@ proto::State FluidService::checkpoint() {
 }
 
 proto::Figures FluidService::report() {
-  proto::Figures figures;
-  if (!solver_) return figures;
+  if (!solver_) return {};
+  proto::Figures figures = final_figures(scene_, *solver_);
   for (const auto& [name, seconds] : solver_->monitor.ledger.seconds)
     figures.emplace_back("seconds:" + name, seconds);
   for (const auto& [name, count] : solver_->monitor.ledger.counts) figures.emplace_back(name, count);

@@ -37,14 +37,39 @@ def trajectories(bodies: results.Bodies, scene: results.Scene):
     return figure
 
 
+def profiles(curves: dict[str, results.Curve], quantities: dict[str, str], extrema: dict[str, dict]):
+    """Quantities along segments; `extrema` as in summary.json."""
+    figure, axes = plt.subplots(1, len(curves), figsize=(4.6 * len(curves), 3.8), squeeze=False)
+    for axis, (name, curve) in zip(axes.flat, curves.items()):
+        along = int(np.ptp(curve.points[:, 1]) > np.ptp(curve.points[:, 0]))
+        axis.plot(curve.points[:, along], curve.values, linewidth=1.2)
+        found = extrema.get(name, {})
+        for kind, mark in (("min", "v"), ("max", "^")):
+            if found.get(kind) is not None:
+                place = found[f"{kind}_at"][along]
+                axis.plot(place, found[kind], mark, color="0.2", markersize=5,
+                          label=f"{found[kind]:.5g} at {'xy'[along]} = {place:.4g} m")
+        quantity = quantities.get(name, "value")
+        unit = {"pressure": " [Pa]", "value": ""}.get(quantity, " [m/s]")
+        other = curve.points[:, 1 - along]
+        where = f" ({'yx'[along]} = {other[0]:.4g} m)" if np.ptp(other) == 0 else ""
+        axis.set(xlabel=f"{'xy'[along]} [m]", ylabel=quantity.replace("_", " ") + unit, title=name + where)
+        axis.grid(alpha=0.3)
+        if found:
+            axis.legend(fontsize=8)
+    return figure
+
+
 def panels(history: dict[str, np.ndarray]) -> list[tuple[str, list[str], bool]]:
     """Label, columns and whether logarithmic: forces, coefficients, probes, iterations, residuals; columns without
     a value other than zero are left out."""
     own = {"time", "step", "sub_iterations", "residual_velocity", "residual_force", "newton_iterations"}
     forces = [name for name in history if name.endswith((".fx", ".fy"))]
-    others = [name for name in history if name not in own and "." not in name]
-    wanted = [("force on the bodies [N]", forces, False)]
-    wanted += [("coefficients" if name in ("drag", "lift") else name, [name], False) for name in others]
+    coefficients = [[name for name in history if name.split(".")[-1] == kind] for kind in ("drag", "lift")]
+    others = [name for name in history if name not in own and "." not in name and name not in sum(coefficients, [])]
+    wanted = [(f"{names[0].split('.')[-1]} coefficient", names, False) for names in coefficients if names]
+    wanted += [("force [N]", forces, False)]
+    wanted += [(name, [name], False) for name in others]
     wanted += [("iterations a step", ["sub_iterations", "newton_iterations"], False),
                ("relative change", ["residual_velocity", "residual_force"], True)]
     telling = [(label, [name for name in names if name in history and np.nan_to_num(history[name]).any()][:MOST_NAMES],
@@ -62,8 +87,23 @@ def curves(history: dict[str, np.ndarray], shown: list[tuple[str, list[str], boo
             axis.plot(history["time"], values, label=name.replace("_", " "), linewidth=1.1)
         if logarithmic:
             axis.set_yscale("log")
+        elif (limits := past_the_start(history, names)) is not None:
+            axis.set_ylim(*limits)
         axis.set_ylabel(label)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=8)
     axes[-1, 0].set_xlabel("t [s]")
     return figure
+
+
+def past_the_start(history: dict[str, np.ndarray], names: list[str]) -> tuple[float, float] | None:
+    """Limits that leave out the first twentieth of the run, where a sudden start would hide all that follows; None
+    where it would not."""
+    late = history["time"] > 0.05 * history["time"][-1]
+    values, settled = (np.concatenate([history[name][chosen] for name in names]) for chosen in (slice(None), late))
+    if not np.isfinite(settled).any():
+        return None
+    low, high = np.nanmin(settled), np.nanmax(settled)
+    margin = 0.1 * (high - low)
+    hidden = margin > 0 and np.nanmax(values) - np.nanmin(values) > 3 * (high - low)
+    return (low - margin, high + margin) if hidden else None

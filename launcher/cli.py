@@ -68,6 +68,7 @@ def parser() -> argparse.ArgumentParser:
     bench = word("bench", do_bench, "run time against error on the benchmark flows, beside FreeFem++ and dolfinx")
     bench.add_argument("subject", nargs="?", choices=("fluid",), default="fluid", help="what is measured")
     bench.add_argument("rest", nargs=argparse.REMAINDER, metavar="...", help="its options; -h names them")
+    word("paper", do_paper, "run the flows of the paper and write docs/paper.md with their pictures")
     keys = word("keys", do_keys, "make the keys for runs across machines")
     keys.add_argument("folder", type=Path, metavar="DIR", help="folder for the keys")
     return top
@@ -181,6 +182,15 @@ def do_bench(arguments) -> int:
     build.build()
     script = ROOT / "bench" / f"{arguments.subject}.py"
     return subprocess.run([sys.executable, "-I", str(script), *arguments.rest], check=False).returncode
+
+
+def do_paper(_arguments) -> int:
+    ensure_programs(quiet=False)
+    packages.ensure()
+    from launcher import paper  # needs packages that set-up installs
+
+    paper.make(lambda scene, folder: main(["run", str(scenes.find(scene)), "--out", str(folder)]))
+    return 0
 
 
 def do_keys(arguments) -> int:

@@ -1,9 +1,10 @@
-"""Maps of the plane: speed with arrows, pressure, tractions on the bodies."""
+"""Maps of the plane: speed with arrows, pressure."""
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PatchCollection
-from matplotlib.patches import Circle
+from matplotlib.patches import Polygon
+from matplotlib.path import Path
 from matplotlib.tri import LinearTriInterpolator, Triangulation
 
 from launcher import results
@@ -31,10 +32,14 @@ def pressures(fields: results.Fields, bodies: results.Bodies | None, scene: resu
     """The pressure; colours leave out its extreme hundredths, which corners would take for themselves."""
 
     def pressure(shot):
-        return shot.pressure - (mean(visible(fields, shot), shot.pressure) if scene.closed else 0.0)
+        return shown_pressure(fields, shot, scene)
 
-    label = "reduced pressure [Pa]" if scene.heavy else "pressure [Pa]"
-    return snapshots(fields, bodies, scene, pressure, label, colours="RdBu_r", tail=1.0)
+    return snapshots(fields, bodies, scene, pressure, scene.pressure_label, colours="RdBu_r", tail=1.0)
+
+
+def shown_pressure(fields: results.Fields, shot: results.Snapshot, scene: results.Scene) -> np.ndarray:
+    """The pressure, less its mean where only differences of it matter."""
+    return shot.pressure - (mean(visible(fields, shot), shot.pressure) if scene.closed else 0.0)
 
 
 def visible(fields: results.Fields, snapshot: results.Snapshot) -> Triangulation:
@@ -61,8 +66,8 @@ def sampled_velocity(fields: results.Fields, shot: results.Snapshot, bodies: res
     velocity = np.ma.stack([LinearTriInterpolator(triangles, part)(*at.T) for part in shot.velocity.T], axis=1)
     shown = ~np.ma.getmaskarray(velocity).any(axis=1)
     if bodies is not None:
-        for centre, radius in zip(bodies.at(shot.time), bodies.radius):
-            shown &= np.linalg.norm(at - centre[:2], axis=1) > radius
+        for outline in bodies.outlines(shot.time):
+            shown &= ~Path(outline).contains_points(at)
     size = np.linalg.norm(velocity.filled(0.0), axis=1)
     shown &= size > SMALLEST_ARROW * size.max(initial=0.0)
     return at[shown], velocity.data[shown], spacing
@@ -95,16 +100,16 @@ def snapshots(fields, bodies, scene, quantity, label, colours, tail, decorate=No
         if decorate is not None:
             decorate(axis, shot, high)
         if bodies is not None:
-            add_discs(axis, bodies.at(shot.time)[:, :2], bodies.radius)
+            add_bodies(axis, bodies, shot.time)
         axis.autoscale(tight=True)
         finish_map(axis, scene.when(shot.time))
     figure.colorbar(image, ax=axes, label=label, shrink=0.8, pad=0.02, extend="both" if tail >= 1 else "neither")
     return figure
 
 
-def add_discs(axis, centres: np.ndarray, radii: np.ndarray) -> None:
-    circles = [Circle(centre, radius) for centre, radius in zip(centres, radii)]
-    axis.add_collection(PatchCollection(circles, facecolor="0.88", edgecolor="0.15", linewidth=0.8, zorder=3))
+def add_bodies(axis, bodies: results.Bodies, time: float) -> None:
+    outlines = [Polygon(outline) for outline in bodies.outlines(time)]
+    axis.add_collection(PatchCollection(outlines, facecolor="0.88", edgecolor="0.15", linewidth=0.8, zorder=3))
 
 
 def finish_map(axis, title: str) -> None:
@@ -114,30 +119,3 @@ def finish_map(axis, title: str) -> None:
     axis.label_outer()
     if axis.get_subplotspec().is_first_col():
         axis.set_ylabel("y [m]")
-
-
-def traction_vectors(tractions: results.Tractions, bodies: results.Bodies, fields: results.Fields | None,
-                     scene: results.Scene):
-    """The force density of the fluid on the bodies, over the speed around them."""
-    figure, axis = plt.subplots(figsize=(6.5, 6))
-    radius = bodies.radius[tractions.body]
-    normal = np.stack([np.cos(tractions.angle), np.sin(tractions.angle)], axis=1)
-    at = tractions.centre[tractions.body] + radius[:, None] * normal
-    if fields is not None and len(fields) > 0:
-        index = int(np.argmin([abs(fields.time(i) - tractions.time) for i in range(len(fields))]))
-        shot = fields.snapshot(index)
-        value = np.linalg.norm(shot.velocity, axis=1)
-        image = axis.tripcolor(visible(fields, shot), value, shading="gouraud", cmap="viridis",
-                               vmin=0, vmax=max(value.max(), 1e-300))
-        figure.colorbar(image, ax=axis, label="speed [m/s]", shrink=0.8)
-    add_discs(axis, tractions.centre, bodies.radius)
-    largest = max(np.linalg.norm(tractions.traction, axis=1).max(), 1e-300)
-    axis.quiver(*at.T, *tractions.traction.T, color="crimson", angles="xy", zorder=4,
-                scale=largest / bodies.radius.max(), scale_units="xy", width=0.004)
-    margin = 2.5 * bodies.radius.max()
-    axis.set_xlim(at[:, 0].min() - margin, at[:, 0].max() + margin)
-    axis.set_ylim(at[:, 1].min() - margin, at[:, 1].max() + margin)
-    finish_map(axis, f"traction of the fluid on the bodies, {scene.when(tractions.time)}\n"
-                     f"(longest arrow: {largest:.3g} Pa)")
-    axis.spines[:].set_visible(True)
-    return figure

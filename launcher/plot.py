@@ -1,4 +1,4 @@
-"""Pictures of a run: speed and pressure at some times, tractions on the bodies, trajectories, history."""
+"""Pictures of a run: maps, streamlines, surface of the pressure, tractions, profiles, trajectories, history."""
 
 from pathlib import Path
 
@@ -7,7 +7,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
 
-from launcher import charts, maps, results  # noqa: E402
+from launcher import charts, maps, obstacles, report, results, streams, surface, tractions  # noqa: E402
 from launcher.common import Refusal  # noqa: E402
 
 STYLE = {"figure.dpi": 110, "savefig.dpi": 110, "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
@@ -20,7 +20,9 @@ def draw(run: Path) -> list[Path]:
         raise Refusal(f"a run folder is required; there is no {run}")
     folder = run / "plots"
     scene, fields, bodies = results.read_scene(run), results.read_fields(run), results.read_bodies(run)
-    tractions, history = results.read_strongest_tractions(run), results.read_history(run)
+    on_bodies, history = results.read_tractions(run, bodies), results.read_history(run)
+    time, boundaries = results.read_curves(run, "boundaries.h5", "traction")
+    _, profiles = results.read_curves(run, "profiles.h5", "value")
     pictures = []
 
     def save(figure, name):
@@ -33,8 +35,20 @@ def draw(run: Path) -> list[Path]:
         if fields is not None and len(fields) > 0:
             save(maps.speeds(fields, bodies, scene), "speed.png")
             save(maps.pressures(fields, bodies, scene), "pressure.png")
-        if tractions is not None and bodies is not None:
-            save(maps.traction_vectors(tractions, bodies, fields, scene), "traction.png")
+            save(surface.pressure(fields, scene), "pressure_surface.png")
+            save(streams.whole(fields, bodies, scene), "streamlines.png")
+            found = obstacles.find(fields, bodies, boundaries, fields.time(len(fields) - 1))
+            if found:
+                save(streams.close_ups(fields, bodies, found, scene), "close_up.png")
+        figure = tractions.on_obstacles(on_bodies, boundaries, fields, bodies, scene,
+                                         on_bodies.time if on_bodies else time)
+        if figure is not None:
+            save(figure, "traction.png")
+        if boundaries and fields is not None and len(fields) > 0:
+            save(tractions.on_sides(boundaries, fields, bodies, scene, time), "boundary_traction.png")
+        if profiles:
+            save(charts.profiles(profiles, results.read_profile_quantities(run),
+                                 (report.summary_of(run) or {}).get("profiles", {})), "profiles.png")
         if bodies is not None and len(bodies.time) > 1:
             save(charts.trajectories(bodies, scene), "trajectories.png")
         panels = charts.panels(history)

@@ -5,16 +5,18 @@ from pathlib import Path
 
 from launcher.common import Refusal
 
-COUNTS = ("unknowns", "newton_iterations", "factorisations", "solves")
-MOST_BODIES = 5
+MOST_LOADS = 6  # bodies, and boundaries, that have a line each
 FILES = {
     "scene.toml": "the scene as run, every default filled in",
     "summary.json": "the figures of this table and more",
     "history.csv": "forces, positions and sub-iterations of every step",
+    "extrema.csv": "extrema, means and frequencies of coefficients and probes",
     "fields.xdmf": "velocity and pressure, for ParaView",
     "fields.h5": "the same in HDF5",
     "bodies.h5": "positions, velocities, forces of the bodies",
     "interface.h5": "tractions on the bodies",
+    "boundaries.h5": "tractions on the fitted boundaries",
+    "profiles.h5": "quantities along segments",
     "checkpoint.h5": "where `./fpi resume` continues",
     "coupler.log": "what the coupler did",
     "fluid_server.log": "what the fluid did",
@@ -37,24 +39,52 @@ def summary_of(run: Path) -> dict | None:
 
 def rows(summary: dict) -> list[tuple[str, str]]:
     """What is worth a line at the end of a run. Figures of a participant that was lost are null: left out."""
-    iterations, seconds = summary["sub_iterations"], summary["wall_seconds"]
+    iterations = summary["sub_iterations"]
     lines = [("status", summary["status"] + (f": {summary['reason']}" if summary["reason"] else "")),
              ("steps", f"{summary['steps']}")]
     if iterations["max"]:
         lines.append(("sub-iterations", f"mean {iterations['mean']:.3g}, most {iterations['max']}"))
-    if summary["unknowns"]:
-        counts = [f"{summary[key]} {key.replace('_', ' ')}" for key in COUNTS if summary[key] is not None]
-        lines.append(("fluid", ", ".join(counts)))
-    for body in summary["bodies"][:MOST_BODIES]:
-        lines.append((body["name"], f"at {vector(body['position'])} m, velocity {vector(body['velocity'])} m/s"))
-    if len(summary["bodies"]) > MOST_BODIES:
-        lines.append(("…", f"{len(summary['bodies']) - MOST_BODIES} more bodies"))
+    for body in summary["bodies"][:MOST_LOADS]:
+        lines.append((body["name"], f"at {vector(body['position'])} m, velocity {vector(body['velocity'])} m/s, "
+                                    + load(body)))
+    if len(summary["bodies"]) > MOST_LOADS:
+        lines.append(("…", f"{len(summary['bodies']) - MOST_LOADS} more bodies"))
+    lines += [(one["name"], load(one)) for one in summary.get("boundaries", [])[:MOST_LOADS] if None not in one["force"]]
     for group in ("coefficients", "probes"):
         lines += [(name, f"{value:.8g}") for name, value in summary[group].items() if value is not None]
-    parts = sorted(((value, key) for key, value in seconds.items() if key != "total" and value), reverse=True)[:4]
-    spent = ", ".join(f"{key} {value:.1f}" for value, key in parts)
-    lines.append(("wall time", f"{seconds['total']:.1f} s" + (f" ({spent})" if spent else "")))
-    return lines
+    lines += [(f"{name}(t)", signal(one)) for name, one in summary.get("signals", {}).items()]
+    lines += [(name, f"{one['min']:.7g} at {vector(one['min_at'])} m to {one['max']:.7g} at {vector(one['max_at'])} m")
+              for name, one in summary.get("profiles", {}).items() if one["min"] is not None]
+    if summary.get("errors"):
+        lines.append(("errors", ", ".join(f"{name.replace('_', ' ')} {value:.3e}"
+                                          for name, value in summary["errors"].items())))
+    for role, counts in summary.get("counts", {}).items():
+        if counts:
+            lines.append((role, ", ".join(f"{value:g} {name.replace('_', ' ')}" for name, value in counts.items())))
+    return lines + costs(summary)
+
+
+def costs(summary: dict) -> list[tuple[str, str]]:
+    """Wall time by part, peak memory by program."""
+    seconds, memory = summary["wall_seconds"], summary.get("peak_memory_bytes", {})
+    parts = sorted(((value, key) for key, value in seconds.items() if key != "total" and value), reverse=True)
+    spent = ", ".join(f"{key} {value:.2g}" for value, key in parts)
+    lines = [("wall time", f"{seconds['total']:.1f} s" + (f" ({spent})" if spent else ""))]
+    peaks = ", ".join(f"{program} {size / 2**20:.0f} MB" for program, size in memory.items() if size)
+    return lines + ([("peak memory", peaks)] if peaks else [])
+
+
+def load(one: dict) -> str:
+    """Force and torque of a body or a boundary in the plane."""
+    return f"force {vector(one['force'][:2])} N, torque {one['torque'][2]:.4g} N m"
+
+
+def signal(one: dict) -> str:
+    """Extrema, mean and oscillation of a coefficient or a probe."""
+    text = f"{one['min']:.7g} to {one['max']:.7g}, mean {one['mean']:.7g}"
+    if "frequency" in one:
+        text += f", {one['frequency']:.5g} Hz over {one['periods']} periods" + ("" if one["settled"] else " (not settled)")
+    return text + (f", St {one['strouhal']:.5g}" if "strouhal" in one else "")
 
 
 def vector(values) -> str:

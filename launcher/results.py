@@ -4,7 +4,7 @@ of its scene decides how they are drawn."""
 import contextlib
 import csv
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import h5py
@@ -21,6 +21,10 @@ class Scene:
     heavy: bool = False  # there is gravity, so the pressure is the reduced one
     closed: bool = False  # no boundary gives the pressure a level
     box: tuple[list[float], list[float]] | None = None  # corners of a rectangular mesh [m]
+
+    @property
+    def pressure_label(self) -> str:
+        return "reduced pressure [Pa]" if self.heavy else "pressure [Pa]"
 
     def when(self, time: float) -> str:
         return "steady" if self.steady else f"t = {time:.4g} s"
@@ -42,9 +46,17 @@ class Tractions:
 
     time: float
     body: np.ndarray  # (arcs)
-    angle: np.ndarray  # (arcs), of the middle [rad]
+    at: np.ndarray  # (arcs, 2), middle of each [m]
     traction: np.ndarray  # (arcs, 2) [Pa]
-    centre: np.ndarray  # (bodies, 2) [m]
+
+
+@dataclass
+class Curve:
+    """Values along a fitted boundary or a profile."""
+
+    points: np.ndarray  # (points, 2) [m]
+    lines: np.ndarray  # (lines, 3): both ends, then the middle; none of a profile, whose points are in order
+    values: np.ndarray  # (points, components) or (points)
 
 
 @dataclass
@@ -54,6 +66,21 @@ class Bodies:
     time: np.ndarray  # (times) [s]
     position: np.ndarray  # (times, bodies, 3) [m]
     velocity: np.ndarray  # (times, bodies, 3) [m/s]
+    angle: np.ndarray  # (times, bodies) about z [rad]
+    vertices: list[np.ndarray | None] = field(default_factory=list)  # of polygons: (corners, 2) from the position [m]
+
+    def outlines(self, time: float) -> list[np.ndarray]:
+        """Points around each body at the written time nearest to `time`."""
+        index = np.argmin(np.abs(self.time - time))
+        found = []
+        for i, radius in enumerate(self.radius):
+            polygon = self.vertices[i] if i < len(self.vertices) else None
+            if polygon is None:
+                turn = np.linspace(0, 2 * np.pi, 73)[:-1]
+                polygon = radius * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+            cosine, sine = np.cos(self.angle[index, i]), np.sin(self.angle[index, i])
+            found.append(self.position[index, i, :2] + polygon @ np.array([[cosine, sine], [-sine, cosine]]))
+        return found
 
     def at(self, time: float) -> np.ndarray:
         """Positions at the written time nearest to `time`."""
@@ -113,6 +140,16 @@ def read_fields(run: Path) -> Fields | None:
         return Fields(path)
 
 
+def polygons(run: Path) -> list[np.ndarray | None]:
+    """The vertices of each body of the scene, None of a disc."""
+    path = run / "scene.toml"
+    if not path.exists():
+        return []
+    with reading(path), path.open("rb") as file:
+        bodies = tomllib.load(file).get("bodies", [])
+        return [np.reshape(body["vertices"], (-1, 2)) if body.get("vertices") else None for body in bodies]
+
+
 def read_bodies(run: Path) -> Bodies | None:
     path = run / "bodies.h5"
     if not path.exists():
@@ -121,21 +158,54 @@ def read_bodies(run: Path) -> Bodies | None:
         if "time" not in file or len(file["time"]) == 0:
             return None
         names = [name.decode() if isinstance(name, bytes) else str(name) for name in file["name"][:]]
-        return Bodies(names, file["radius"][:], file["time"][:], file["position"][:], file["velocity"][:])
+        return Bodies(names, file["radius"][:], file["time"][:], file["position"][:], file["velocity"][:],
+                      file["rotation"][:, :, 2], polygons(run))
 
 
-def read_strongest_tractions(run: Path) -> Tractions | None:
-    """The tractions at the written time where they are largest: at the end a settled body has hardly any."""
-    path = run / "interface.h5"
+def read_curves(run: Path, name: str, quantity: str) -> tuple[float, dict[str, Curve]]:
+    """The last curves of a file by name, and their time; none where there is no such file."""
+    path = run / name
     if not path.exists():
+        return 0.0, {}
+    with reading(path), h5py.File(path, "r") as file:
+        steps = file.get("steps", {})
+        if not steps:
+            return 0.0, {}
+        last = steps[sorted(steps)[-1]]
+        return float(last.attrs["time"]), {
+            curve: Curve(group["points"][:, :2], group["lines"][:] if "lines" in group else np.empty((0, 3), int),
+                         group[quantity][:])
+            for curve, group in last.items()}
+
+
+def read_tractions(run: Path, bodies: Bodies | None) -> Tractions | None:
+    """The last tractions on bodies; of bodies that moved those of the written time where they are largest, since at
+    the end a settled body has hardly any."""
+    path = run / "interface.h5"
+    if bodies is None or not path.exists():
         return None
     with reading(path), h5py.File(path, "r") as file:
         groups = [group for group in file.get("steps", {}).values() if len(group["traction"]) > 0]
         if not groups:
             return None
-        group = max(groups, key=lambda one: np.linalg.norm(one["traction"][:], axis=1).mean())
-        return Tractions(float(group.attrs["time"]), group["body"][:], (group["start"][:] + group["end"][:]) / 2,
-                         group["traction"][:], group["centre"][:])
+        moved = np.ptp(bodies.position, axis=0).any()
+        group = max(groups, key=lambda one: np.linalg.norm(one["traction"][:], axis=1).mean()) if moved else groups[-1]
+        body = group["body"][:]
+        if "middle" in group:
+            at = group["middle"][:]
+        else:
+            angle = (group["start"][:] + group["end"][:]) / 2
+            at = group["centre"][:][body] + bodies.radius[body, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        return Tractions(float(group.attrs["time"]), body, at, group["traction"][:])
+
+
+def read_profile_quantities(run: Path) -> dict[str, str]:
+    """What each profile of the scene shows."""
+    path = run / "scene.toml"
+    if not path.exists():
+        return {}
+    with reading(path), path.open("rb") as file:
+        return {profile["name"]: profile["quantity"] for profile in tomllib.load(file).get("profiles", [])}
 
 
 def read_history(run: Path) -> dict[str, np.ndarray]:

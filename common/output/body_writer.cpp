@@ -5,8 +5,9 @@
 namespace fpi::output {
 namespace {
 
-constexpr std::array<std::pair<const char*, std::array<double, 3> BodyRow::*>, 5> columns{
+constexpr std::array<std::pair<const char*, std::array<double, 3> BodyRow::*>, 6> columns{
     {{"/position", &BodyRow::position},
+     {"/rotation", &BodyRow::rotation},
      {"/velocity", &BodyRow::velocity},
      {"/spin", &BodyRow::spin},
      {"/force", &BodyRow::force},

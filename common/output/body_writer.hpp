@@ -14,6 +14,7 @@ namespace fpi::output {
 /// One body at one time; z components are zero in the plane, except of spin and torque.
 struct BodyRow {
   std::array<double, 3> position{};  ///< [m]
+  std::array<double, 3> rotation{};  ///< from the start: axis times angle, −π to π [rad]
   std::array<double, 3> velocity{};  ///< [m/s]
   std::array<double, 3> spin{};      ///< [rad/s]
   std::array<double, 3> force{};     ///< [N] from the fluid

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include "core/error.hpp"
 
@@ -22,6 +24,13 @@ std::uintmax_t end_of_row(const std::string& path, std::size_t rows) {
             rows, path, i);
   }
   return static_cast<std::uintmax_t>(file.tellg());
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> words;
+  std::istringstream stream(line);
+  for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
+  return words;
 }
 
 }  // namespace
@@ -45,6 +54,24 @@ void Table::write_line(const std::string& line) {
   file_ << line << '\n' << std::flush;
   require(file_.good(), "a file that can be written is required for {}: check the folder and its free space",
           path_);
+}
+
+Columns read_columns(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  require(static_cast<bool>(std::getline(file, line)), "a table with a header is required in {}; got none",
+          path);
+  const std::vector<std::string> names = split(line);
+  Columns columns;
+  for (const std::string& name : names) columns[name];
+  while (std::getline(file, line) && !file.eof()) {
+    const std::vector<std::string> cells = split(line);
+    require(cells.size() == names.size(), "{} must have {} numbers a line; got {} in \"{}\"", path,
+            names.size(), cells.size(), line);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      columns[names[i]].push_back(std::strtod(cells[i].c_str(), nullptr));
+  }
+  return columns;
 }
 
 }  // namespace fpi::output

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fstream>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,5 +28,11 @@ class Table {
   std::ofstream file_;
   std::size_t rows_ = 0;
 };
+
+/// The numbers of a table by column.
+using Columns = std::map<std::string, std::vector<double>>;
+
+/// Reads a table back; a last line that is not whole is left out. Throws Error where it cannot be read.
+Columns read_columns(const std::string& path);
 
 }  // namespace fpi::output

@@ -35,16 +35,19 @@ std::string key_of(std::string_view list, std::size_t index, std::string_view ke
 }
 
 /// Names become columns and HDF5 paths, so they are plain words.
+bool is_plain(const std::string& name) {
+  return !name.empty() && std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+constexpr std::string_view plain_word = "must be a word of letters a-z, digits, _ and -";
+
 template <class Group>
 void check_names(std::string_view list, const std::vector<Group>& groups, ParameterVisitor& v) {
   std::set<std::string> seen;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const std::string& name = groups[i].name;
-    const bool plain = !name.empty() && std::ranges::all_of(name, [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-             c == '-';
-    });
-    v.require(plain, key_of(list, i, "name"), "must be a word of letters a-z, digits, _ and -");
+    v.require(is_plain(name), key_of(list, i, "name"), plain_word);
     v.require(seen.insert(name).second, key_of(list, i, "name"),
               fmt::format("must be unique among [[{}]]", list));
   }
@@ -84,31 +87,51 @@ void check_dimensions(const Scene& scene, ParameterVisitor& v) {
   }
 }
 
-void check_boundaries(const Fluid& fluid, ParameterVisitor& v) {
-  if (!fluid.mesh.file.empty()) return;  // the mesh file names its own; the fluid checks those
-  for (const auto& [name, boundary] : fluid.boundaries) {
+void check_boundaries(const Scene& scene, ParameterVisitor& v) {
+  const std::vector<std::string> bodies = names_of(scene.bodies);
+  for (const auto& [name, boundary] : scene.fluid->boundaries) {
+    const std::string key = fmt::format("fluid.boundaries.{}", name);
+    v.require(name.find_first_of(",/\"\n\r") == std::string::npos, key,
+              "has a name that must be without commas, slashes and quotes: rename it in the mesh");
+    v.require(std::ranges::find(bodies, name) == bodies.end(), key,
+              "must not have the name of a body: both are columns of history.csv");
+  }
+  if (!scene.fluid->mesh.file.empty()) return;  // the mesh file names its own; the fluid checks those
+  for (const auto& [name, boundary] : scene.fluid->boundaries) {
     if (std::ranges::find(rectangle_sides, name) != rectangle_sides.end()) continue;
     v.require(false, "fluid.boundaries." + name,
               "is not a side of the rectangle" + hint(name, rectangle_sides));
   }
   for (const std::string_view side : rectangle_sides) {
-    v.require(fluid.boundaries.contains(std::string(side)), fmt::format("fluid.boundaries.{}", side),
+    v.require(scene.fluid->boundaries.contains(std::string(side)), fmt::format("fluid.boundaries.{}", side),
               "must have a condition: add a table with its type");
   }
 }
 
 void check_coefficients(const Scene& scene, ParameterVisitor& v) {
-  if (!scene.coefficients) return;
+  if (scene.coefficients.empty()) return;
   v.require(scene.fluid.has_value(), "coefficients", "must go with a [fluid]");
+  if (scene.coefficients.size() > 1) check_names("coefficients", scene.coefficients, v);
   std::vector<std::string> names = names_of(scene.bodies);
   if (scene.fluid) {
-    for (const auto& [name, boundary] : scene.fluid->boundaries) names.push_back(name);
+    for (const auto& [name, boundary] : scene.fluid->boundaries) {
+      if (boundary.holds_fluid()) names.push_back(name);
+    }
   }
-  const auto found = std::ranges::count(names, scene.coefficients->on);
-  if (found == 1) return;
-  v.require(false, "coefficients.on",
-            found > 1 ? "must name either a body or a boundary: both have this name"
-                      : "must name a body or a boundary" + hint(scene.coefficients->on, names));
+  for (std::size_t i = 0; i < scene.coefficients.size(); ++i) {
+    const Coefficients& c = scene.coefficients[i];
+    v.require(c.name.empty() || is_plain(c.name), key_of("coefficients", i, "name"), plain_word);
+    if (std::ranges::find(names, c.on) != names.end()) continue;
+    v.require(false, key_of("coefficients", i, "on"),
+              "must name a body or a boundary that holds the fluid" + hint(c.on, names));
+  }
+}
+
+void check_measurements(const Scene& scene, ParameterVisitor& v) {
+  v.require(scene.profiles.empty() || scene.fluid, "profiles", "must go with a [fluid]");
+  v.require(!scene.exact || scene.fluid, "exact", "must go with a [fluid]");
+  v.require(scene.time.steady || !scene.output.measure_from || *scene.output.measure_from < scene.time.end,
+            "output.measure_from", "must be before the end of the run (time.end)");
 }
 
 void check_probes(const Scene& scene, ParameterVisitor& v) {
@@ -140,10 +163,12 @@ void check(const Scene& scene, ParameterVisitor& v) {
   check_materials("bodies", scene.bodies, scene, v);
   check_materials("walls", scene.walls, scene, v);
   check_dimensions(scene, v);
-  if (scene.fluid) check_boundaries(*scene.fluid, v);
+  if (scene.fluid) check_boundaries(scene, v);
   check_coefficients(scene, v);
   check_motion(scene, v);
   check_probes(scene, v);
+  check_names("profiles", scene.profiles, v);
+  check_measurements(scene, v);
 }
 
 }  // namespace fpi::scene

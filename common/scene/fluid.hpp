@@ -114,6 +114,9 @@ struct Boundary {
 
   static constexpr std::array<std::string_view, 4> types{"no_slip", "velocity", "slip", "traction"};
 
+  /// False where the velocity is free, so that no force of the fluid is to be found.
+  bool holds_fluid() const { return type != "traction"; }
+
   void declare(ParameterVisitor& v) {
     v.choice({"type", "", "no_slip (u = 0), velocity (u given), slip (u·n = 0), traction (σn given; 0: open)",
               true},

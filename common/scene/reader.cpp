@@ -92,7 +92,7 @@ class Reader : public ParameterVisitor {
     const Node* node = frame().table;
     std::string place = frame().place;
     for (const std::string& part : split_key(std::string(key))) {
-      node = node == nullptr ? nullptr : node->find(part);
+      node = node == nullptr ? nullptr : part_of(*node, part);
       if (node != nullptr) place = node->place;
     }
     problem_ = fmt::format("{}: {} {}; got {}", place, path(key), required,
@@ -113,14 +113,16 @@ class Reader : public ParameterVisitor {
   std::size_t begin_tables(const Parameter& p, std::size_t) override {
     const Node* node = find(p);
     if (node == nullptr) return 0;
+    if (node->as<Node::Table>()) return 1;  // a single [key] will do
     const auto* list = node->as<Node::List>();
     if (list != nullptr) return list->size();
     refuse(p, *node, p.key, fmt::format("tables [[{}]]", path(p.key)));
     return 0;
   }
   void begin_entry(const Parameter& p, std::size_t index) override {
-    const Node& list = *frame().table->find(std::string(p.key));
-    enter(p, &(*list.as<Node::List>())[index], fmt::format("{}.{}", p.key, index));
+    const Node& tables = *frame().table->find(std::string(p.key));
+    const auto* list = tables.as<Node::List>();
+    enter(p, list ? &(*list)[index] : &tables, fmt::format("{}.{}", p.key, index));
   }
   std::vector<std::string> begin_named(const Parameter& p, const std::vector<std::string>&) override {
     enter(p, find(p), p.key);
@@ -146,6 +148,12 @@ class Reader : public ParameterVisitor {
     std::vector<std::string> known;  ///< keys declared so far
     bool any_key = false;            ///< the user names the keys
   };
+
+  /// What is found under a key; a single table stands for a list of one.
+  static const Node* part_of(const Node& node, const std::string& key) {
+    const Node* found = node.find(key);
+    return found == nullptr && key == "0" && node.as<Node::Table>() ? &node : found;
+  }
 
   Frame& frame() { return frames_.back(); }
 

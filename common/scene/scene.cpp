@@ -27,9 +27,15 @@ void Scene::declare(ParameterVisitor& v) {
   v.tables({"walls", "", "planes that stop the grains; the fluid does not see them"}, walls);
   v.table({"coupling", "", "the implicit staggered iteration of each time step"}, coupling);
   v.table({"output", "", "what is written, and how often"}, output);
-  v.table({"coefficients", "", "drag and lift coefficients c = 2F/(ρ U² L) of a body or a boundary"},
-          coefficients);
+  v.tables(
+      {"coefficients", "",
+       "drag and lift coefficients c = 2F/(ρ U² L) of a body or a boundary; a single table [coefficients] "
+       "will do"},
+      coefficients);
   v.tables({"probes", "", "values at points, written with every step"}, probes);
+  v.tables({"profiles", "", "quantities along segments, with their extrema, written with the fields"},
+           profiles);
+  v.table({"exact", "", "the exact solution, where it is known: errors are reported at the end"}, exact);
   check(*this, v);
 }
 
@@ -50,8 +56,10 @@ std::string part_for(Part part, const Scene& scene) {
     p.walls.clear();
   } else {
     p.fluid.reset();
-    p.coefficients.reset();
+    p.coefficients.clear();
     p.probes.clear();
+    p.profiles.clear();
+    p.exact.reset();
   }
   return write_text(p);
 }

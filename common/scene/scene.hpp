@@ -40,6 +40,7 @@ struct Output {
   double interval = 0;  ///< [s] of fields; 0: first and last only
   bool fields = true;
   std::int64_t checkpoint_every = 0;
+  std::optional<double> measure_from;  ///< [s]
 
   void declare(ParameterVisitor& v) {
     v.real({"interval", "s", "time between written fields; 0: the first and the last only"}, interval,
@@ -47,15 +48,23 @@ struct Output {
     v.boolean({"fields", "", "false: no fields are gathered, sent or written"}, fields);
     v.integer({"checkpoint_every", "steps", "steps between checkpoints of all participants; 0: none"},
               checkpoint_every, between(0, 1e9));
+    v.real(
+        {"measure_from", "s",
+         "extrema, means and frequencies of coefficients and probes are those from this time on; none: the "
+         "second half of the run"},
+        measure_from, not_negative());
   }
 };
 
-/// [coefficients]: drag and lift of a body or a named boundary, c = 2F/(ρ U² L).
+/// [coefficients], or [[coefficients]] where there are several: drag and lift of a body or a named boundary,
+/// c = 2F/(ρ U² L).
 struct Coefficients {
+  std::string name;
   std::string on;
   double velocity = 0, length = 0;
 
   void declare(ParameterVisitor& v) {
+    v.text({"name", "", "columns are NAME.drag and NAME.lift; empty: drag and lift"}, name);
     v.text({"on", "", "name of a body or of a boundary", true}, on);
     v.real({"velocity", "m/s", "reference velocity U", true}, velocity, positive());
     v.real({"length", "m", "reference length L", true}, length, positive());
@@ -81,6 +90,36 @@ struct Probe {
   }
 };
 
+/// [[profiles]]: a quantity along a segment.
+struct Profile {
+  std::string name;
+  std::string quantity;
+  std::vector<double> from, to;
+
+  static constexpr std::array<std::string_view, 4> quantities{"velocity_x", "velocity_y", "speed",
+                                                              "pressure"};
+
+  void declare(ParameterVisitor& v) {
+    v.text({"name", "", "name in the results; unique", true}, name);
+    v.choice({"quantity", "", "what is read there", true}, quantity, quantities);
+    v.reals({"from", "m", "start of the segment", true}, from, {2, 2}, any_number());
+    v.reals({"to", "m", "end of the segment", true}, to, {2, 2}, any_number());
+    v.require(from != to, "to", "must be another point than from");
+  }
+};
+
+/// [exact]: the exact solution, for errors of the computed one.
+struct Exact {
+  std::vector<std::string> velocity{"0", "0"};
+  std::string pressure = "0";
+
+  void declare(ParameterVisitor& v) {
+    v.formulas({"velocity", "m/s", "formulas of x, y, t", true}, velocity, {2, 2});
+    v.formula({"pressure", "Pa", "formula of x, y, t; its mean is taken off where no boundary is open", true},
+              pressure);
+  }
+};
+
 /// The whole file.
 struct Scene {
   std::string title, source, expected;
@@ -95,8 +134,10 @@ struct Scene {
   std::vector<Wall> walls;
   Coupling coupling;
   Output output;
-  std::optional<Coefficients> coefficients;
+  std::vector<Coefficients> coefficients;
   std::vector<Probe> probes;
+  std::vector<Profile> profiles;
+  std::optional<Exact> exact;
 
   void declare(ParameterVisitor& v);
 

@@ -26,7 +26,8 @@ NavierStokes::NavierStokes(Mesh mesh, Settings settings)
       flow_{settings_.fluid.density, settings_.fluid.viscosity(), settings_.fluid.convection ? 1.0 : 0.0,
             settings_.fluid.viscous_form == "symmetric"},
       body_force_{Expression(settings_.fluid.body_force[0]), Expression(settings_.fluid.body_force[1])},
-      space_(std::move(mesh), settings_.fluid.boundaries) {
+      space_(std::move(mesh), settings_.fluid.boundaries),
+      boundary_recovery_(space_.mesh, space_.boundary) {
   check_linear_solver(settings_.fluid.linear_solver);
   accepted_.u = nodal_values(space_.mesh, settings_.fluid.initial_velocity);
   accepted_.acceleration = Vector::Zero(accepted_.u.size());
@@ -172,7 +173,7 @@ Vec2 NavierStokes::body_velocity(const CoveredNode& covered) const {
 void NavierStokes::accept() {
   require(last_ && last_converged_, "accept must follow an advance that converged");
   const Fields& fields = current_.fields;
-  if (settings_.measure_boundaries) measure_boundaries();
+  measure_boundaries();
   accepted_.time = last_->time;
   accepted_.previous_acceleration = start_.acceleration;
   accepted_.previous_step = start_.has_acceleration ? last_->time_step : 0;
@@ -245,17 +246,18 @@ std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
   return std::pair{u, p};
 }
 
+FlowErrors NavierStokes::errors(const ExactFlow& exact) const {
+  const bool closed = boundary_recovery_.curves().size() == space_.mesh.boundary_names.size();
+  const CutMesh uncut = cut_mesh(space_.mesh, space_.locator, {});
+  return flow_errors(space_.mesh, accepted_system_ ? accepted_system_->cut() : uncut, accepted_, exact,
+                     closed);
+}
+
 /// The residual of the nodes that a boundary holds is what it does to the fluid, to the order of the scheme.
 void NavierStokes::measure_boundaries() {
   const ScopedTimer timer(monitor.ledger, "assembly");
   const Residual residual = system_->assemble(flow_, current_.fields, time_terms_, false);
-  boundary_forces_.clear();
-  for (Index b = 0; b < static_cast<Index>(space_.mesh.boundary_names.size()); ++b) {
-    if (space_.boundary.is_open(b)) continue;
-    Vec2 force = Vec2::Zero();
-    for (Index node : space_.boundary.nodes(b)) force -= residual.u.segment<2>(2 * node);
-    boundary_forces_.emplace_back(space_.mesh.boundary_names[b], force);
-  }
+  boundary_tractions_ = boundary_recovery_.recover(-residual.u);
 }
 
 std::vector<std::string> NavierStokes::notes() const {
@@ -267,8 +269,6 @@ std::vector<std::string> NavierStokes::notes() const {
     notes.emplace_back("the matrix does not change: one factorisation serves every step of equal length");
   if (body_force_[0].is_zero() && body_force_[1].is_zero())
     notes.emplace_back("no body force: none is integrated");
-  if (!settings_.measure_boundaries)
-    notes.emplace_back("no force on a boundary is asked for: none is measured");
   return notes;
 }
 

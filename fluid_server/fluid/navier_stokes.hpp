@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "fluid/boundary_traction.hpp"
+#include "fluid/exact.hpp"
 #include "fluid/kept_factor.hpp"
 #include "fluid/state.hpp"
 #include "fluid/time_scheme.hpp"
@@ -18,7 +20,6 @@ struct Settings {
   scene::Fluid fluid;
   Vec2 gravity = Vec2::Zero();  ///< [m/s²]
   bool bodies_move = false;
-  bool measure_boundaries = false;  ///< forces on named boundaries are wanted
 };
 
 /// What the fluid is asked for in one sub-iteration.
@@ -68,12 +69,15 @@ class NavierStokes {
   /// the solution itself only has what cut elements extend.
   Vector velocity_with_bodies() const;
   Index n_unknowns() const { return system_ ? system_->numbering().n_equations : 0; }
+  const Locator& locator() const { return space_.locator; }
   bool has(const Vec2& x) const { return space_.locator.find(x).has_value(); }
   /// Velocity [m/s] and pressure [Pa] of the accepted state; nothing inside a body or outside the mesh.
   std::optional<std::pair<Vec2, double>> at(const Vec2& x) const;
-  /// Force of the fluid on each named boundary that holds it, as of the last accept [N/m]; like the
-  /// pressure without its hydrostatic part.
-  const std::vector<std::pair<std::string, Vec2>>& boundary_forces() const { return boundary_forces_; }
+  /// Of the accepted state.
+  FlowErrors errors(const ExactFlow& exact) const;
+  /// The named boundaries that hold the fluid, and what it did to them as of the last accept.
+  const std::vector<BoundaryCurve>& boundary_curves() const { return boundary_recovery_.curves(); }
+  const std::vector<BoundaryTraction>& boundary_tractions() const { return boundary_tractions_; }
   /// What this scene does not need, as sentences.
   std::vector<std::string> notes() const;
 
@@ -93,7 +97,8 @@ class NavierStokes {
   std::array<Expression, 2> body_force_;
   Space space_;
   State accepted_;
-  std::vector<std::pair<std::string, Vec2>> boundary_forces_;
+  BoundaryTractions boundary_recovery_;
+  std::vector<BoundaryTraction> boundary_tractions_;
 
   std::shared_ptr<System> system_;  // of the last geometry asked for
   TimeTerms time_terms_;

@@ -12,7 +12,8 @@ from harness import SETTLING_SCENE, CoupledRun, interrupt, run_coupler, toy_scen
 
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
 KEYS = {"status", "reason", "steps", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
-        "wall_seconds", "peak_memory_bytes", "bodies", "coefficients", "probes"}
+        "wall_seconds", "peak_memory_bytes", "bodies", "boundaries", "coefficients", "probes", "signals", "profiles",
+        "errors", "counts"}
 SECONDS = {"total", "mesh", "assembly", "factor", "solve", "interface", "dem", "coupling", "output"}
 
 

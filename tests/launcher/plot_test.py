@@ -7,7 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from launcher import charts, maps, plot, results
+from launcher import charts, maps, obstacles, plot, results
 from launcher.common import Refusal
 
 POINTS = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0], [1, 0.5], [0.5, 0.5], [0.5, 1], [0, 0.5]], float)
@@ -27,18 +27,31 @@ def write_run(run: Path) -> None:
         file["name"], file["radius"] = ["disc"], np.array([0.2])
         file["time"] = np.array([0.1, 0.2])
         file["position"] = np.array([[[0.5, 0.6, 0]], [[0.5, 0.5, 0]]])
-        for name in ("velocity", "spin", "force", "torque"):
+        for name in ("rotation", "velocity", "spin", "force", "torque"):
             file[name] = np.zeros((2, 1, 3))
     with h5py.File(run / "interface.h5", "w") as file:
         for i, size in enumerate((2.0, 1.0)):
             group = file.create_group(f"steps/{i:06d}")
             group.attrs["time"] = 0.1 * (i + 1)
-            group["body"], group["start"] = np.zeros(2, int), np.array([0, np.pi])
-            group["end"], group["traction"] = np.array([np.pi, 2 * np.pi]), size * np.eye(2)
-            group["centre"] = np.array([[0.5, 0.6]])
+            group["body"], group["middle"] = np.zeros(2, int), np.array([[0.5, 0.8], [0.5, 0.4]])
+            group["traction"] = size * np.eye(2)
+    write_curves(run / "boundaries.h5", "traction", lines=np.array([[0, 1, 4]]), values=np.ones((len(POINTS), 2)))
+    write_curves(run / "profiles.h5", "value", lines=None, values=POINTS[:, 0])
     (run / "history.csv").write_text("time,step,sub_iterations,residual_velocity,residual_force,newton_iterations,"
                                      "disc.fx,disc.fy,drag,front\n0.1,1,3,1e-6,1e-7,4,1,2,5.5,0.1\n"
                                      "0.2,2,2,1e-6,0,4,1,2,5.6,0.2\n")
+
+
+def write_curves(path: Path, quantity: str, lines, values) -> None:
+    """One curve, "wall", through all points, at two times."""
+    with h5py.File(path, "w") as file:
+        for i in range(2):
+            group = file.create_group(f"steps/{i:06d}")
+            group.attrs["time"] = 0.1 * (i + 1)
+            group["wall/points"] = np.hstack([POINTS, np.zeros((len(POINTS), 1))])
+            group[f"wall/{quantity}"] = (i + 1) * values
+            if lines is not None:
+                group["wall/lines"] = lines
 
 
 class Plot(unittest.TestCase):
@@ -51,13 +64,14 @@ class Plot(unittest.TestCase):
         write_run(self.run_folder)
         pictures = plot.draw(self.run_folder)
         self.assertEqual([path.name for path in pictures],
-                         ["speed.png", "pressure.png", "traction.png", "trajectories.png", "history.png"])
+                         ["speed.png", "pressure.png", "pressure_surface.png", "streamlines.png", "close_up.png",
+                          "traction.png", "boundary_traction.png", "profiles.png", "trajectories.png", "history.png"])
         for path in pictures:
             self.assertEqual(path.read_bytes()[:4], b"\x89PNG", path)
 
     def test_what_is_absent_is_left_out(self):
         write_run(self.run_folder)
-        for name in ("fields.h5", "interface.h5", "bodies.h5"):
+        for name in ("fields.h5", "interface.h5", "bodies.h5", "boundaries.h5", "profiles.h5"):
             (self.run_folder / name).unlink()
         self.assertEqual([path.name for path in plot.draw(self.run_folder)], ["history.png"])
 
@@ -116,15 +130,15 @@ class Plot(unittest.TestCase):
 
     def test_panels_without_a_value_are_left_out(self):
         zero, one = np.zeros(2), np.ones(2)
-        history = {"time": one, "a.fx": zero, "a.fy": one, "lift": zero, "front": np.full(2, np.nan),
+        history = {"time": one, "a.fx": zero, "a.fy": one, "lift": zero, "b.drag": one, "c.drag": one, "front": np.full(2, np.nan),
                    "sub_iterations": one, "newton_iterations": zero, "residual_velocity": zero}
-        self.assertEqual(charts.panels(history), [("force on the bodies [N]", ["a.fy"], False),
+        self.assertEqual(charts.panels(history), [("drag coefficient", ["b.drag", "c.drag"], False), ("force [N]", ["a.fy"], False),
                                                   ("iterations a step", ["sub_iterations"], False)])
 
     def test_damaged_files_are_refused_with_a_sentence(self):
         write_run(self.run_folder)
         # in the reverse of the order they are read in, so that each is the first to be found damaged
-        for name, damage in (("history.csv", b""), ("history.csv", b"time,x\n0.1,oops\n"), ("history.csv", b"\xff\x00"),
+        for name, damage in (("profiles.h5", b"x"), ("boundaries.h5", b"x"), ("history.csv", b""), ("history.csv", b"time,x\n0.1,oops\n"), ("history.csv", b"\xff\x00"),
                              ("interface.h5", b"x"), ("bodies.h5", b"x"), ("fields.h5", b"x"), ("scene.toml", b"= 1")):
             (self.run_folder / name).write_bytes(damage)
             with self.assertRaises(Refusal) as refused:
@@ -137,9 +151,41 @@ class Plot(unittest.TestCase):
             file.write("0.3,3,2")
         np.testing.assert_array_equal(results.read_history(self.run_folder)["time"], [0.1, 0.2])
 
-    def test_the_strongest_tractions_are_chosen(self):
+    def test_tractions_are_the_strongest_of_bodies_that_moved_and_else_the_last(self):
         write_run(self.run_folder)
-        self.assertEqual(results.read_strongest_tractions(self.run_folder).time, 0.1)
+        bodies = results.read_bodies(self.run_folder)
+        self.assertEqual(results.read_tractions(self.run_folder, bodies).time, 0.1)
+        bodies.position[0] = bodies.position[1]
+        self.assertEqual(results.read_tractions(self.run_folder, bodies).time, 0.2)
+
+    def test_the_last_curves_are_read(self):
+        write_run(self.run_folder)
+        time, curves = results.read_curves(self.run_folder, "boundaries.h5", "traction")
+        self.assertEqual(time, 0.2)
+        np.testing.assert_array_equal(curves["wall"].points, POINTS)
+        np.testing.assert_array_equal(curves["wall"].values, 2 * np.ones((len(POINTS), 2)))
+        self.assertEqual(results.read_curves(self.run_folder, "none.h5", "value"), (0.0, {}))
+
+    def test_outlines_turn_with_their_bodies(self):
+        square = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]], float)
+        bodies = results.Bodies(["blade", "disc"], np.array([0, 0.5]), np.array([0.0, 1.0]),
+                                np.array([2 * [[0, 0, 0]], 2 * [[2, 3, 0]]], float), np.zeros((2, 2, 3)),
+                                np.array([[0, 0], [np.pi / 4, 1]]), [square, None])
+        blade, disc = bodies.outlines(1.0)
+        np.testing.assert_allclose(blade[0], [2, 3 + np.sqrt(2)])
+        np.testing.assert_allclose(np.linalg.norm(disc - [2, 3], axis=1), 0.5)
+
+    def test_what_stands_in_the_flow_is_not_a_side_of_the_domain(self):
+        write_run(self.run_folder)
+        fields = results.read_fields(self.run_folder)
+        side = results.Curve(np.array([[0, 0], [0.5, 0], [1, 0]], float), np.empty((0, 3), int), np.zeros((3, 2)))
+        hole = results.Curve(np.array([[0.4, 0.4], [0.6, 0.4], [0.5, 0.6]]), np.empty((0, 3), int), np.zeros((3, 2)))
+        found = obstacles.find(fields, None, {"side": side, "hole": hole}, 0.0)
+        self.assertEqual([one.name for one in found], ["hole"])
+        lower, upper = obstacles.close_up(found[0], fields, np.array([-1.0, 0.1]))
+        np.testing.assert_allclose(lower, [0, 0.22], atol=1e-12)
+        np.testing.assert_allclose(upper, [0.84, 0.78])
+        fields.file.close()
 
 
 if __name__ == "__main__":

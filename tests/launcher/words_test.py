@@ -10,7 +10,7 @@ from unittest import mock
 
 from fakes import FakeTest
 
-from launcher import build, common, mesh, packages, processes, run, scenes
+from launcher import build, common, mesh, packages, processes, report, run, scenes
 
 
 class Words(FakeTest):
@@ -61,6 +61,30 @@ class Words(FakeTest):
                 sizes.append(len(file.read_text()))
                 self.assertRegex(file.read_text(), r"\n2 \d+ 9 \d+\n")  # a block of six-node triangles
             self.assertGreater(sizes[1], 2 * sizes[0])
+
+
+class Report(unittest.TestCase):
+    SUMMARY = {"status": "completed", "reason": "", "steps": 7, "sub_iterations": {"mean": 1, "max": 1}, "bodies": [],
+               "boundaries": [{"name": "wall", "force": [1.0, -2.5, 0], "torque": [0, 0, 0.5], "centre": [0, 0, 0]},
+                              {"name": "lid", "force": [None, None, 0], "torque": [0, 0, None], "centre": [0, 0, 0]}],
+               "coefficients": {"drag": 5.5}, "probes": {"front": None},
+               "signals": {"lift": {"min": -1.0, "max": 1.0, "mean": 0.0, "frequency": 3.0, "periods": 4, "settled": False,
+                                    "peak_spread": 0.1, "strouhal": 0.3}},
+               "profiles": {"u": {"min": -0.25, "min_at": [0.5, 0.125], "max": 1, "max_at": [0.5, 1]}},
+               "errors": {"velocity_l2": 1e-5}, "counts": {"fluid": {"new_count": 3.0}},
+               "wall_seconds": {"total": 2.0, "factor": 1.5, "solve": None},
+               "peak_memory_bytes": {"coupler": 2**21, "dem_server": 0}}
+
+    def test_every_measurement_has_a_line(self):
+        rows = dict(report.rows(self.SUMMARY))
+        self.assertEqual(rows["wall"], "force (1, -2.5) N, torque 0.5 N m")
+        self.assertNotIn("lid", rows)
+        self.assertEqual(rows["lift(t)"], "-1 to 1, mean 0, 3 Hz over 4 periods (not settled), St 0.3")
+        self.assertEqual(rows["u"], "-0.25 at (0.5, 0.125) m to 1 at (0.5, 1) m")
+        self.assertEqual(rows["errors"], "velocity l2 1.000e-05")
+        self.assertEqual(rows["fluid"], "3 new count")
+        self.assertEqual(rows["wall time"], "2.0 s (factor 1.5)")
+        self.assertEqual(rows["peak memory"], "coupler 2 MB")
 
 
 class SetUp(unittest.TestCase):

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "../temporary_folder.hpp"
 #include "core/error.hpp"
 #include "json.hpp"
@@ -26,6 +28,33 @@ TEST(Json, a_summary_says_null_for_a_lost_participant_and_zero_for_one_not_neede
   EXPECT_NE(text.find("\"fluid_server\": null"), std::string::npos) << text;
   EXPECT_NE(text.find("\"dem_server\": 0"), std::string::npos) << text;
   EXPECT_NE(text.find("\"status\": \"failed\""), std::string::npos) << text;
+}
+
+TEST(Json, a_summary_sorts_the_figures_of_the_fluid) {
+  Summary summary;
+  summary.figures["fluid"] = {{"seconds:mesh", 0.5},
+                              {"seconds:refinement", 0.25},
+                              {"factorisations", 3},
+                              {"min:u", -0.2},
+                              {"min_x:u", 0.5},
+                              {"min_y:u", 0.125},
+                              {"centre_x:wall", 0.75},
+                              {"centre_y:wall", 1},
+                              {"error:velocity_l2", 1e-3},
+                              {"peak_memory_bytes", 9},
+                              {"max:u", 1}};
+  summary.profile_names = {"u"};
+  summary.boundary_names = {"wall"};
+  summary.boundaries = {{.fx = 1, .fy = 2, .torque = 3}};
+  const auto json = nlohmann::json::parse(to_json(summary));
+  EXPECT_EQ(json["wall_seconds"]["refinement"], 0.25);
+  EXPECT_EQ(json["counts"]["fluid"], (nlohmann::json{{"factorisations", 3.0}}));
+  EXPECT_EQ(json["profiles"]["u"]["min"], -0.2);
+  EXPECT_EQ(json["profiles"]["u"]["min_at"], (nlohmann::json{0.5, 0.125}));
+  EXPECT_TRUE(json["profiles"]["u"]["max_at"][0].is_null()) << "the fluid did not say";
+  EXPECT_EQ(json["boundaries"][0]["torque"], (nlohmann::json{0, 0, 3.0}));
+  EXPECT_EQ(json["boundaries"][0]["centre"], (nlohmann::json{0.75, 1.0, 0}));
+  EXPECT_EQ(json["errors"], (nlohmann::json{{"velocity_l2", 1e-3}}));
 }
 
 TEST(Json, only_the_summary_of_a_completed_run_says_so) {

@@ -10,8 +10,10 @@
 #include "../temporary_folder.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "extrema.hpp"
 #include "fakes.hpp"
 #include "output/h5_file.hpp"
+#include "output/table.hpp"
 #include "plan.hpp"
 
 namespace fpi {
@@ -313,18 +315,53 @@ TEST_F(RunTest, an_arc_length_that_is_not_positive_is_an_error) {
 TEST_F(RunTest, drag_lift_and_probes_are_reported_of_boundaries_and_bodies) {
   scene::Scene scene = make_scene({disc("post", "fixed")});
   scene.thickness = 0.5;
-  scene.coefficients = scene::Coefficients{.on = "left", .velocity = 2, .length = 0.25};
+  scene.coefficients = {{.name = "", .on = "left", .velocity = 2, .length = 0.25}};
   scene.probes = {{.name = "p", .point = {0, 0}, .minus = {}}};
   const auto lift = [&] {
     CoupledRun run = make_run(scene);
     run.start({});
     run.march();
     EXPECT_EQ(run.last_reported().probes, std::vector{static_cast<double>(fluid.accepts)});
-    return run.last_reported().coefficients->lift;
+    return run.last_reported().coefficients.at(0).lift;
   };
   EXPECT_DOUBLE_EQ(lift(), 2 * 6 / (1 * 4 * 0.25 * 0.5));
-  scene.coefficients->on = "post";
+  scene.coefficients[0].on = "post";
   EXPECT_DOUBLE_EQ(lift(), 2 * 0.5 / (1 * 4 * 0.25 * 0.5));
+}
+
+TEST_F(RunTest, loads_of_boundaries_that_hold_the_fluid_are_columns_of_the_history) {
+  scene::Scene scene = make_scene({});
+  scene.fluid->boundaries["left"].type = "no_slip";
+  scene.fluid->boundaries["right"].type = "traction";
+  scene.fluid->boundaries["top"].type = "slip";
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const output::Columns history = output::read_columns(folder / "history.csv");
+  EXPECT_EQ(history.at("left.fx").back(), 4);
+  EXPECT_EQ(history.at("left.fy").back(), 6);
+  EXPECT_TRUE(std::isnan(history.at("top.torque").back())) << "the fluid did not say";
+  EXPECT_FALSE(history.contains("right.fx"));
+}
+
+TEST_F(RunTest, several_coefficients_have_columns_of_their_own_and_extrema_over_the_second_half) {
+  scene::Scene scene = make_scene({disc("post", "fixed")});
+  scene.coefficients = {{.name = "wall", .on = "left", .velocity = 1, .length = 1},
+                        {.name = "post", .on = "post", .velocity = 1, .length = 1}};
+  scene.probes = {{.name = "p", .point = {0, 0}, .minus = {}}};
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const output::Columns history = output::read_columns(folder / "history.csv");
+  EXPECT_EQ(history.at("wall.lift").back(), 12);
+  EXPECT_EQ(history.at("post.lift").back(), 1);
+  const MeasuredSignals signals = measure_signals(scene, folder.path());
+  EXPECT_EQ(signals.size(), 5u);
+  EXPECT_EQ(signals.at("p").figures.smallest.value, 6) << "12 steps, p counts them";
+  EXPECT_EQ(signals.at("p").figures.largest.value, 12);
+  EXPECT_FALSE(signals.at("wall.lift").strouhal) << "it does not oscillate";
+  write_extrema(signals, folder.path());
+  EXPECT_TRUE(std::filesystem::exists(folder / "extrema.csv"));
 }
 
 TEST_F(RunTest, a_probe_without_a_value_is_written_as_nan_and_the_run_goes_on) {
@@ -338,7 +375,7 @@ TEST_F(RunTest, a_probe_without_a_value_is_written_as_nan_and_the_run_goes_on) {
 
 TEST_F(RunTest, a_boundary_force_that_the_fluid_does_not_report_is_an_error_that_names_it) {
   scene::Scene scene = make_scene({});
-  scene.coefficients = {.on = "wall", .velocity = 1, .length = 1};
+  scene.coefficients = {{.name = "", .on = "wall", .velocity = 1, .length = 1}};
   CoupledRun run = make_run(scene);
   run.start({});
   try {

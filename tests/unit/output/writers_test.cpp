@@ -1,11 +1,14 @@
 /// The files of a run folder, written and read back.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "../temporary_folder.hpp"
 #include "core/error.hpp"
 #include "output/body_writer.hpp"
+#include "output/curve_writer.hpp"
 #include "output/field_writer.hpp"
 #include "output/interface_writer.hpp"
 #include "output/replace.hpp"
@@ -140,6 +143,36 @@ TEST_F(Writers, replacing_a_text_leaves_nothing_else_behind) {
   EXPECT_EQ(read_text_file(path), "new");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
   EXPECT_THROW(replace_text(folder / "nowhere/text", ""), Error);
+}
+
+TEST_F(Writers, curves_come_back_by_name_and_a_resumed_file_goes_on_after_them) {
+  const std::vector<double> points{0, 0, 0, 1, 0, 0, 0.5, 0, 0}, values{1, 2, 3, 4, 5, 6};
+  const std::vector<std::uint32_t> lines{0, 1, 2};
+  const std::vector<CurveView> curves{{"wall", points, lines, 2, values},
+                                      {"middle", points, {}, 1, std::span(values).first(3)}};
+  CurveWriter(folder / "boundaries.h5", "traction").write(0.5, curves);
+  CurveWriter resumed(folder / "boundaries.h5", "traction", 1);
+  resumed.write(1, curves);
+  EXPECT_EQ(resumed.size(), 2u);
+  const H5File file = H5File::read(folder / "boundaries.h5");
+  EXPECT_EQ(file.attribute("/steps/000001", "time"), 1);
+  EXPECT_EQ(file.shape("/steps/000000/wall/points"), (Shape{3, 3}));
+  EXPECT_EQ(file.indices("/steps/000000/wall/lines"), lines);
+  EXPECT_EQ(file.shape("/steps/000001/wall/traction"), (Shape{3, 2}));
+  EXPECT_EQ(file.doubles("/steps/000001/middle/traction"), (std::vector<double>{1, 2, 3}));
+  EXPECT_FALSE(file.has("/steps/000001/middle/lines"));
+}
+
+TEST_F(Writers, a_table_reads_back_by_column_without_a_half_written_line) {
+  Table table(folder / "history.csv", {"time", "lift"});
+  table.append(std::vector{0.1, 1.0 / 3});
+  table.append(std::vector{0.2, std::nan("")});
+  std::ofstream(folder / "history.csv", std::ios::app) << "0.3,1";
+  const Columns columns = read_columns(folder / "history.csv");
+  EXPECT_EQ(columns.at("time"), (std::vector{0.1, 0.2}));
+  EXPECT_EQ(columns.at("lift")[0], 1.0 / 3);
+  EXPECT_TRUE(std::isnan(columns.at("lift")[1]));
+  EXPECT_THROW(read_columns(folder / "none.csv"), Error);
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ INSTANTIATE_TEST_SUITE_P(
              "got a "
              "table"},
         Case{"coefficients_on", settling + "[coefficients]\non = \"disk\"\nvelocity = 1\nlength = 1\n",
-             "drop.toml:39: coefficients.on must name a body or a boundary (did you mean \"disc\"?); got "
+             "drop.toml:39: coefficients.0.on must name a body or a boundary that holds the fluid (did you "
+             "mean \"disc\"?); got "
              "\"disk\""},
         Case{"free_body_density", with(settling, "density = 1250\n", ""),
              "drop.toml:24: bodies.0.density must be > 0 kg/m³ for a body that moves freely (motion = "
@@ -97,6 +98,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"prescribed_velocity", with(settling, "radius =", "motion = \"prescribed\"\nradius ="),
              "drop.toml:24: bodies.0.prescribed_velocity must have a formula for each axis where motion = "
              "\"prescribed\"; got nothing"},
+        Case{"coefficients_names",
+             settling + "[[coefficients]]\non = \"disc\"\nvelocity = 1\nlength = 1\n"
+                        "[[coefficients]]\nname = \"wall\"\non = \"top\"\nvelocity = 1\nlength = 1\n",
+             "drop.toml:38: coefficients.0.name must be a word of letters a-z, digits, _ and -; got nothing"},
+        Case{"boundary_of_a_body", with(settling, "name = \"disc\"", "name = \"top\""),
+             "drop.toml:22: fluid.boundaries.top must not have the name of a body: both are columns of "
+             "history.csv; got a table"},
+        Case{"measure_from", settling + "[output]\nmeasure_from = 1e6\n",
+             "drop.toml:39: output.measure_from must be before the end of the run (time.end); got 1000000.0"},
+        Case{"profile_of_a_point",
+             settling + "[[profiles]]\nname = \"p\"\nquantity = \"speed\"\nfrom = [0, 1]\nto = [0, 1]\n",
+             "drop.toml:42: profiles.0.to must be another point than from; got [0, 1]"},
         Case{"probe_name", settling + "[[probes]]\nname = \"drag\"\npoint = [0, 0]\n",
              "drop.toml:39: probes.0.name must not be the name of another column of history.csv; got "
              "\"drag\""},

@@ -19,7 +19,7 @@ TEST(Reader, reads_values_and_fills_in_defaults) {
   EXPECT_EQ(s.coupling.acceleration, "aitken");
   EXPECT_TRUE(s.dem) << "a free body brings [dem] with its defaults";
   EXPECT_TRUE(s.moves_freely());
-  EXPECT_FALSE(s.coefficients);
+  EXPECT_TRUE(s.coefficients.empty());
 }
 
 TEST(Reader, takes_whole_numbers_for_reals_and_numbers_for_formulas) {
@@ -172,6 +172,14 @@ TEST(Reader, names_the_file_in_its_errors) {
     EXPECT_EQ(std::string(e.what()).find(path + ":9: fluid.density"), 0u) << e.what();
   }
   std::filesystem::remove(path);
+}
+
+TEST(Reader, takes_a_single_table_for_a_list_of_one) {
+  const std::string one = "on = \"top\"\nvelocity = 2\nlength = 1\n";
+  const Scene single = read_text(settling + "[coefficients]\n" + one, "drop.toml");
+  const Scene list = read_text(settling + "[[coefficients]]\n" + one, "drop.toml");
+  EXPECT_EQ(single.coefficients.at(0).velocity, 2);
+  EXPECT_EQ(write_text(single), write_text(list));
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ TEST(Reference, gives_unit_default_bounds_and_meaning) {
 }
 
 TEST(Reference, has_a_section_for_every_table) {
-  for (const char* section :
-       {"[time]", "[fluid]", "[fluid.mesh]", "[fluid.boundaries.NAME]", "[dem]", "[[bodies]]",
-        "[[materials]]", "[[walls]]", "[coupling]", "[output]", "[coefficients]", "[[probes]]"}) {
+  for (const char* section : {"[time]", "[fluid]", "[fluid.mesh]", "[fluid.boundaries.NAME]", "[dem]",
+                              "[[bodies]]", "[[materials]]", "[[walls]]", "[coupling]", "[output]",
+                              "[[coefficients]]", "[[probes]]", "[[profiles]]", "[exact]"}) {
     EXPECT_NE(reference().find(fmt::format("\n## `{}`\n", section)), std::string::npos) << section;
   }
 }

@@ -23,8 +23,19 @@ name = "front"
 point = [0.15, 0.2]
 minus = [0.25, 0.2]
 
+[[profiles]]
+name = "middle"
+quantity = "velocity_x"
+from = [0, 0.2]
+to = [0.4, 0.2]
+
+[exact]
+velocity = ["y", 0]
+pressure = "-x"
+
 [output]
 interval = 0.1
+measure_from = 0.05
 )";
 
 TEST(Writer, gives_text_that_reads_back_to_the_same_text) {
@@ -68,7 +79,9 @@ TEST(PartFor, the_fluid_leaves_out_the_grains) {
   EXPECT_TRUE(part.fluid);
   EXPECT_EQ(part.bodies.size(), 1u);
   EXPECT_EQ(part.probes.size(), 1u);
-  EXPECT_TRUE(part.coefficients);
+  EXPECT_EQ(part.coefficients.size(), 1u);
+  EXPECT_EQ(part.profiles.size(), 1u);
+  EXPECT_TRUE(part.exact);
   EXPECT_TRUE(part.walls.empty());
 }
 
@@ -79,7 +92,9 @@ TEST(PartFor, the_dem_leaves_out_the_fluid) {
   EXPECT_EQ(part.walls.size(), 1u);
   EXPECT_EQ(part.materials.size(), 1u);
   EXPECT_TRUE(part.probes.empty());
-  EXPECT_FALSE(part.coefficients);
+  EXPECT_TRUE(part.coefficients.empty());
+  EXPECT_TRUE(part.profiles.empty());
+  EXPECT_FALSE(part.exact);
   EXPECT_EQ(part.gravity[1], -9.81);
 }
 

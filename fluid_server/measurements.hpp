@@ -1,0 +1,27 @@
+/// What a scene asks to be measured in the accepted flow, as parts of messages; forces are those of the
+/// scene's whole thickness.
+#pragma once
+
+#include "fluid/navier_stokes.hpp"
+#include "proto/messages.hpp"
+#include "scene/scene.hpp"
+
+namespace fpi::fluid {
+
+/// Throws Error for a probe or a profile that lies outside the mesh.
+void require_in_mesh(const scene::Scene& scene, const NavierStokes& solver);
+
+/// With every accepted step: probes by name, and "force_x:NAME", "force_y:NAME" [N], "torque:NAME" [N m] of
+/// the boundaries that hold the fluid.
+proto::Figures step_figures(const scene::Scene& scene, const NavierStokes& solver);
+
+/// At the end: "centre_x:NAME", "centre_y:NAME" [m] that torques of boundaries are about; of each profile
+/// "min:NAME", "min_x:NAME", "min_y:NAME" and the same for max; "error:velocity_l2", "error:velocity_h1",
+/// "error:pressure_l2" against the exact solution.
+proto::Figures final_figures(const scene::Scene& scene, const NavierStokes& solver);
+
+/// Traction [Pa] on the boundaries that hold the fluid; none before the first accepted step.
+std::vector<proto::Curve> boundary_curves(const NavierStokes& solver);
+std::vector<proto::Curve> profile_curves(const scene::Scene& scene, const NavierStokes& solver);
+
+}  // namespace fpi::fluid

@@ -1,0 +1,78 @@
+"""The counterparts of the paper's figures: runs the scenes, draws them, and writes docs/paper.md with our values."""
+
+import re
+import shutil
+from pathlib import Path
+
+from PIL import Image
+
+from launcher import plot, report
+from launcher.common import ROOT, Refusal
+
+TEMPLATE = ROOT / "docs" / "paper.in.md"
+PAGE = ROOT / "docs" / "paper.md"
+PICTURES = ROOT / "docs" / "paper"
+RUNS = ROOT / "runs" / "paper"
+LARGEST = 150_000  # bytes of a picture
+VALUE = re.compile(r"\{(\w+):([^{}:]+)(?::([^{}]*))?\}")  # {scene:key/key:format} of summary.json
+PICTURE = re.compile(r"\]\(paper/(\w+)/([\w.]+)\)")  # ](paper/scene/picture.png)
+
+
+def make(run_scene, say=print) -> None:
+    """`run_scene(name, folder)` runs a scene of configs/ and returns its exit status; completed runs are kept."""
+    template, summaries = TEMPLATE.read_text(), {}
+    for scene in dict.fromkeys(found[1] for found in [*VALUE.finditer(template), *PICTURE.finditer(template)]):
+        folder = RUNS / scene
+        summaries[scene] = completed(folder)
+        if summaries[scene] is None:
+            shutil.rmtree(folder, ignore_errors=True)
+            if run_scene(scene, folder) != 0:
+                raise Refusal(f"the scene {scene} must reach its end; see {folder}")
+            summaries[scene] = completed(folder)
+        say(f"{scene}: done, drawing")
+        drawn = {picture.name: picture for picture in plot.draw(folder)}
+        for name in {found[2] for found in PICTURE.finditer(template) if found[1] == scene}:
+            if name not in drawn:
+                raise Refusal(f"the picture {name} of {scene} is required by {TEMPLATE}; drawn were {sorted(drawn)}")
+            compress(drawn[name], PICTURES / scene / name)
+    PAGE.write_text(fill(template, summaries))
+
+
+def completed(folder: Path) -> dict | None:
+    """The summary of a run that reached its end."""
+    summary = report.summary_of(folder)
+    return summary if summary and summary["status"] == "completed" else None
+
+
+def fill(template: str, summaries: dict[str, dict]) -> str:
+    """The template with every value in its place."""
+    def value(found: re.Match) -> str:
+        container = summaries[found[1]]
+        for key in found[2].split("/"):
+            container = entry(container, key)
+        if container is None:
+            raise Refusal(f"the summary of {found[1]} must have {found[2]}, which {TEMPLATE} names; it does not")
+        return format(container, found[3] or "")
+
+    return VALUE.sub(value, template)
+
+
+def entry(container, key: str):
+    """Of a table by key, of a list by number or by the name of its entry; None where there is none."""
+    if isinstance(container, list):
+        by_name = {one["name"]: one for one in container if isinstance(one, dict)}
+        container = {str(i): one for i, one in enumerate(container)} | by_name
+    return container.get(key) if isinstance(container, dict) else None
+
+
+def compress(source: Path, target: Path) -> None:
+    """A copy of a picture of at most LARGEST bytes: fewer colours, then smaller."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with Image.open(source) as original:
+        image = original.convert("RGB")
+    for _ in range(8):
+        image.quantize(128, dither=Image.Dither.NONE).save(target, optimize=True)
+        if target.stat().st_size <= LARGEST:
+            return
+        image = image.resize((round(0.85 * image.width), round(0.85 * image.height)), Image.Resampling.LANCZOS)
+    raise Refusal(f"a picture of at most {LARGEST} bytes is required; {source} stays larger")
