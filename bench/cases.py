@@ -69,7 +69,25 @@ def shedding_cylinder(folder: Path) -> list[list[Run]]:
                 *dolfinx(f"size {size:g}, step {split_step:g}", "dfg_2d2.py", [curved, split_step, end, start], theirs),
                 *freefem(f"{edges} edges, step {step:g}", "dfg_2d2.edp", [edges, step, end, start], theirs)]
 
-    return [rung(1.4, 8, 48, 0.01, 0.005), rung(1, 12, 64, 0.005, 0.0025)]
+    return [rung(1, 16, 64, 0.01, 0.005), rung(0.6, 24, 96, 0.005, 0.0025)]
+
+
+def cavity(folder: Path) -> list[list[Run]]:
+    def ours(summary, _run):
+        upright, level = summary["profiles"]["upright"], summary["profiles"]["level"]
+        return {"u_min": upright["min"], "v_max": level["max"], "v_min": level["min"]}
+
+    def theirs(found):
+        return {name: found[name] for name in ("u_min", "v_max", "v_min")}
+
+    def rung(side: float, growth: float, freefem_cells: int) -> list[Run]:
+        size = f"{side:g} at the sides"
+        sets = [f"fluid.mesh.refinements.0.size={side:g}", f"fluid.mesh.refinements.0.growth={growth:g}"]
+        return [fpi("fpi", size, "cavity_1000", folder, sets, ours),
+                fpi("fpi, MUMPS", size, "cavity_1000", folder, [*sets, "fluid.linear_solver=\"mumps\""], ours),
+                *freefem(f"{freefem_cells} cells", "cavity.edp", [freefem_cells], theirs)]
+
+    return [rung(0.02, 0.2, 24), rung(0.012, 0.1, 40), rung(0.01, 0.05, 64)]
 
 
 CASES = {
@@ -78,4 +96,6 @@ CASES = {
     "2d2": Case("DFG 2D-2, vortex shedding, 10 s",
                 {"cd_max": (3.227393, "relative"), "cd_min": (3.164263, "relative"), "cl_range": (2.007871, "relative"),
                  "St": (0.301841, "relative")}, shedding_cylinder),
+    "cavity": Case("Lid-driven cavity, Re 1000", {"u_min": (-0.3885698, "absolute"), "v_max": (0.3769447, "absolute"),
+                                                  "v_min": (-0.5270771, "absolute")}, cavity),
 }
