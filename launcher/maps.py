@@ -102,7 +102,7 @@ def snapshots(fields, bodies, scene, quantity, label, colours, tail, decorate=No
         if bodies is not None:
             add_bodies(axis, bodies, shot.time)
         axis.autoscale(tight=True)
-        finish_map(axis, scene.when(shot.time))
+        finish_map(axis, scene.when(shot.time), shared=True)
     figure.colorbar(image, ax=axes, label=label, shrink=0.8, pad=0.02, extend="both" if tail >= 1 else "neither")
     return figure
 
@@ -112,10 +112,9 @@ def add_bodies(axis, bodies: results.Bodies, time: float) -> None:
     axis.add_collection(PatchCollection(outlines, facecolor="0.88", edgecolor="0.15", linewidth=0.8, zorder=3))
 
 
-def finish_map(axis, title: str) -> None:
+def finish_map(axis, title: str, shared: bool = False) -> None:
+    """Aspect, title and labels; of axes that share their limits only the outer ones have labels."""
     axis.set_aspect("equal")
-    axis.set_title(title)
-    axis.set_xlabel("x [m]")
-    axis.label_outer()
-    if axis.get_subplotspec().is_first_col():
-        axis.set_ylabel("y [m]")
+    axis.set(title=title, xlabel="x [m]", ylabel="y [m]")
+    if shared:
+        axis.label_outer()

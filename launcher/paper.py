@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from launcher import plot, report
+from launcher import plot, report, results
 from launcher.common import ROOT, Refusal
 
 TEMPLATE = ROOT / "docs" / "paper.in.md"
@@ -14,7 +14,8 @@ PAGE = ROOT / "docs" / "paper.md"
 PICTURES = ROOT / "docs" / "paper"
 RUNS = ROOT / "runs" / "paper"
 LARGEST = 150_000  # bytes of a picture
-VALUE = re.compile(r"\{(\w+):([^{}:]+)(?::([^{}]*))?\}")  # {scene:key/key:format} of summary.json
+SETTLED = 5.0  # [s] from when on flows that change are measured
+VALUE = re.compile(r"\{(\w+):([^{}:]+)(?::([^{}]*))?\}")  # {scene:key/key:format} of summary.json, and largest_traction
 PICTURE = re.compile(r"\]\(paper/(\w+)/([\w.]+)\)")  # ](paper/scene/picture.png)
 
 
@@ -29,6 +30,7 @@ def make(run_scene, say=print) -> None:
             if run_scene(scene, folder) != 0:
                 raise Refusal(f"the scene {scene} must reach its end; see {folder}")
             summaries[scene] = completed(folder)
+        summaries[scene]["largest_traction"] = results.largest_tractions(folder, SETTLED if summaries[scene]["steps"] > 1 else 0.0)
         say(f"{scene}: done, drawing")
         drawn = {picture.name: picture for picture in plot.draw(folder)}
         for name in {found[2] for found in PICTURE.finditer(template) if found[1] == scene}:

@@ -178,6 +178,20 @@ def read_curves(run: Path, name: str, quantity: str) -> tuple[float, dict[str, C
             for curve, group in last.items()}
 
 
+def largest_tractions(run: Path, since: float) -> dict[str, float]:
+    """The largest traction [Pa] on each fitted boundary at the written times from `since` [s] on."""
+    path, largest = run / "boundaries.h5", {}
+    if not path.exists():
+        return largest
+    with reading(path), h5py.File(path, "r") as file:
+        for step in file.get("steps", {}).values():
+            if step.attrs["time"] >= since:
+                for name, group in step.items():
+                    size = float(np.linalg.norm(group["traction"][:], axis=1).max())
+                    largest[name] = max(size, largest.get(name, 0.0))
+    return largest
+
+
 def read_tractions(run: Path, bodies: Bodies | None) -> Tractions | None:
     """The last tractions on bodies; of bodies that moved those of the written time where they are largest, since at
     the end a settled body has hardly any."""

@@ -36,7 +36,6 @@ def close_ups(fields: results.Fields, bodies: results.Bodies | None, found: list
         image = region(axis, fields, shot, bodies, lower, upper)
         figure.colorbar(image, ax=axis, label="speed [m/s]", shrink=0.9, pad=0.02)
         maps.finish_map(axis, f"{obstacle.name}, {scene.when(shot.time)}")
-        axis.set_xlabel("x [m]")
     return figure
 
 

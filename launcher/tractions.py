@@ -28,20 +28,19 @@ def on_obstacles(tractions: results.Tractions | None, curves: dict[str, results.
     largest = max(np.linalg.norm(traction, axis=1).max() for _, _, traction, _ in panels)
     radius = max(0.5 * np.ptp(outline, axis=0).min() for _, _, _, outline in panels)
     boxes = [box(at, traction, outline, radius / max(largest, 1e-300)) for _, at, traction, outline in panels]
-    widths = [upper[0] - lower[0] for lower, upper in boxes]
-    tallest = max(upper[1] - lower[1] for lower, upper in boxes)
-    scale = min(10.5 / sum(widths), 4.8 / tallest)
-    figure, axes = plt.subplots(1, len(panels), figsize=(sum(widths) * scale + 1.1 * len(panels), tallest * scale + 1.0),
-                                squeeze=False, width_ratios=widths)
+    size = np.max([upper - lower for lower, upper in boxes], axis=0)
+    scale = min(10.5 / (len(panels) * size[0]), 4.8 / size[1])
+    figure, axes = plt.subplots(1, len(panels), squeeze=False,
+                                figsize=(len(panels) * (size[0] * scale + 1.1), size[1] * scale + 1.0))
     shot = nearest(fields, time)
     for axis, (name, at, traction, _), (lower, upper) in zip(axes.flat, panels, boxes):
         background(axis, fields, shot, bodies)
         arrows(axis, at, traction, radius / max(largest, 1e-300), 0.022 * radius)
         axis.set_facecolor("0.88")
-        axis.set_xlim(lower[0], upper[0])
-        axis.set_ylim(lower[1], upper[1])
+        middle = (lower + upper) / 2
+        axis.set_xlim(middle[0] - size[0] / 2, middle[0] + size[0] / 2)
+        axis.set_ylim(middle[1] - size[1] / 2, middle[1] + size[1] / 2)
         maps.finish_map(axis, f"{name}: up to {np.linalg.norm(traction, axis=1).max():.3g} Pa")
-        axis.set_ylabel("y [m]")
         axis.locator_params(nbins=5)
     figure.suptitle(f"traction of the fluid, {scene.when(time)}", fontsize=10)
     return figure
@@ -49,11 +48,10 @@ def on_obstacles(tractions: results.Tractions | None, curves: dict[str, results.
 
 def on_sides(curves: dict[str, results.Curve], fields: results.Fields, bodies: results.Bodies | None,
              scene: results.Scene, time: float):
-    """Along every fitted boundary, over the speed; what is far above the median, as at singular corners, is cut."""
+    """Along every fitted boundary, over the speed; what is far above the rest, as at singular corners, is cut."""
     lower, upper = fields.points.min(axis=0), fields.points.max(axis=0)
     longest = 0.16 * min(upper - lower)
-    sizes = np.concatenate([np.linalg.norm(curve.values, axis=1) for curve in curves.values()])
-    limit = max(min(sizes.max(), 5 * np.median(sizes)), 1e-300)
+    limit = usual_largest(curves.values())
     width, height = upper - lower + 2 * longest
     scale = (9.5 if width > height else 6.0) / max(width, height)
     figure, axis = plt.subplots(figsize=(width * scale + 1.6, height * scale + 0.9))
@@ -72,6 +70,16 @@ def on_sides(curves: dict[str, results.Curve], fields: results.Fields, bodies: r
                           f"(arrow as long as the bar: {limit:.3g} Pa)")
     axis.plot([lower[0], lower[0] + longest], 2 * [lower[1] - 0.8 * longest], color="crimson", linewidth=2)
     return figure
+
+
+def usual_largest(curves) -> float:
+    """The size [Pa] that tractions stay below on nine tenths of the length."""
+    size = np.concatenate([np.linalg.norm(curve.values[curve.lines[:, 2]], axis=1) for curve in curves])
+    length = np.concatenate([np.linalg.norm(np.subtract(*(curve.points[curve.lines[:, k]] for k in (0, 1))), axis=1)
+                             for curve in curves])
+    order = np.argsort(size)
+    share = np.cumsum(length[order]) / length.sum()
+    return max(float(size[order][np.searchsorted(share, 0.9)]), 1e-300)
 
 
 def box(at, traction, outline, scale):

@@ -165,6 +165,8 @@ class Plot(unittest.TestCase):
         np.testing.assert_array_equal(curves["wall"].points, POINTS)
         np.testing.assert_array_equal(curves["wall"].values, 2 * np.ones((len(POINTS), 2)))
         self.assertEqual(results.read_curves(self.run_folder, "none.h5", "value"), (0.0, {}))
+        self.assertAlmostEqual(results.largest_tractions(self.run_folder, 0.0)["wall"], np.sqrt(8))
+        self.assertEqual(results.largest_tractions(self.run_folder, 0.3), {})
 
     def test_outlines_turn_with_their_bodies(self):
         square = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]], float)
