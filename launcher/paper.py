@@ -30,7 +30,8 @@ def make(run_scene, say=print) -> None:
             if run_scene(scene, folder) != 0:
                 raise Refusal(f"the scene {scene} must reach its end; see {folder}")
             summaries[scene] = completed(folder)
-        summaries[scene]["largest_traction"] = results.largest_tractions(folder, SETTLED if summaries[scene]["steps"] > 1 else 0.0)
+        since = SETTLED if summaries[scene]["steps"] > 1 else 0.0
+        summaries[scene]["largest_traction"] = results.largest_tractions(folder, since)
         say(f"{scene}: done, drawing")
         drawn = {picture.name: picture for picture in plot.draw(folder)}
         for name in {found[2] for found in PICTURE.finditer(template) if found[1] == scene}:
