@@ -103,8 +103,8 @@ void Simulation::place_bodies(double start, double end, double time_step) {
       placed_[i].position = coupling::trapezoidal_position(before, placed_[i].velocity, time_step);
     }
     if (!participants_.fluid) continue;
-    const double radius = scene_.hydraulic_radius_ratio * scene_.bodies[i].radius;
-    attempted_.arcs.push_back(coupling::cut_circle(placed_[i].position, radius, arc_lengths_[i]));
+    attempted_.arcs.push_back(
+        coupling::cut_outline(scene_.bodies[i], placed_[i], scene_.hydraulic_radius_ratio, arc_lengths_[i]));
   }
 }
 

@@ -27,6 +27,7 @@ proto::Interface to_wire(std::uint32_t body, const coupling::Arcs& arcs,
   interface.radius = arcs.radius;
   interface.start = arcs.start;
   interface.end = arcs.end;
+  interface.vertices = arcs.vertices;
   interface.translation = to_wire(motion.velocity);
   interface.spin = to_wire(motion.spin);
   interface.points = coupling::points_per_arc;

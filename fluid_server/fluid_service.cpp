@@ -14,8 +14,25 @@ proto::Vec3 to_wire(const Vec2& v) { return {v.x(), v.y(), 0}; }
 
 void check_dimension(const scene::Scene& scene) {
   for (const scene::Body& body : scene.bodies)
-    require(body.shape == "disc", "bodies \"{}\": a plane fluid takes discs only; got a {}: make it a disc",
+    require(body.is_plane(),
+            "bodies \"{}\": a plane fluid takes discs and polygons only; got a {}: make it one of them",
             body.name, body.shape);
+}
+
+std::vector<Vec2> to_points(const std::vector<double>& coordinates) {
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i + 1 < coordinates.size(); i += 2)
+    points.emplace_back(coordinates[i], coordinates[i + 1]);
+  return points;
+}
+
+/// Where the scene puts a body, as the fluid sees it.
+Outline outline(const scene::Body& body, double hydraulic_radius_ratio) {
+  const Vec2 position(body.position[0], body.position[1]);
+  if (body.shape == "disc") return Disc{position, body.radius * hydraulic_radius_ratio};
+  Polygon polygon{to_points(body.outline())};
+  for (Vec2& corner : polygon.corners) corner += position;
+  return polygon;
 }
 
 Settings settings(const scene::Scene& scene) {
@@ -23,17 +40,17 @@ Settings settings(const scene::Scene& scene) {
 }
 
 Interface read_interface(const proto::Interface& m) {
-  require(m.radius > 0, "body {}: exact arcs are required; outlines of edges are not offered by this fluid",
-          m.body);
   Interface out;
   out.body = static_cast<Index>(m.body);
-  out.radius = m.radius;
-  out.start = m.start;
-  out.end = m.end;
   out.rigid = {to_plane(m.centre), to_plane(m.translation), m.spin[2]};
-  if (!m.rigid)
-    for (std::size_t i = 0; i + 1 < m.velocities.size(); i += 2)
-      out.sampled.emplace_back(m.velocities[i], m.velocities[i + 1]);
+  if (!m.rigid) out.sampled = to_points(m.velocities);
+  if (m.radius > 0) {
+    out.outline = Disc{out.rigid.centre, m.radius};
+    out.start = m.start;
+    out.end = m.end;
+  } else {
+    set_edges(out, to_points(m.vertices));
+  }
   return out;
 }
 
@@ -70,10 +87,10 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
   proto::Configured out{.notes = solver_->notes()};
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const scene::Body& body = scene_.bodies[b];
-    const Disc disc{{body.position[0], body.position[1]}, body.radius * scene_.hydraulic_radius_ratio};
-    const double length = solver_->arc_length(disc);
-    require(length > 0, "the body \"{}\" must lie in the mesh; its circle at ({:g}, {:g}) m meets no element",
-            body.name, disc.centre.x(), disc.centre.y());
+    const double length = solver_->arc_length(outline(body, scene_.hydraulic_radius_ratio));
+    require(length > 0,
+            "the body \"{}\" must lie in the mesh; its outline around ({:g}, {:g}) m meets no element",
+            body.name, body.position[0], body.position[1]);
     out.arc_lengths.push_back({static_cast<std::uint32_t>(b), length});
     out.resolved_gap = std::max(out.resolved_gap, length / scene_.fluid->embedding.arc_ratio);
   }

@@ -1,12 +1,15 @@
-/// The bodies of a scene: discs (plane scenes) and spheres, with their motion. All roles read them.
+/// The bodies of a scene: discs and polygons (plane scenes) or spheres, with their motion. All roles read
+/// them.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "scene/polygon.hpp"
 
 namespace fpi::scene {
 
@@ -15,8 +18,9 @@ using Vec3 = std::array<double, 3>;  ///< plane scenes leave z = 0; a plane spin
 /// [[bodies]]
 struct Body {
   std::string name;
-  std::string shape = "disc";          ///< disc | sphere
-  double radius = 0;                   ///< contact radius R [m]
+  std::string shape = "disc";          ///< disc | polygon | sphere
+  double radius = 0;                   ///< contact radius R [m]; 0 of a polygon
+  std::vector<double> vertices;        ///< of a polygon: x, y of each, from `position` [m]
   double density = 0;                  ///< ρ_s [kg/m³]
   std::vector<double> position;        ///< centre at the start [m], 2 or 3 entries
   std::vector<double> velocity{0, 0};  ///< at the start [m/s]
@@ -26,21 +30,31 @@ struct Body {
   std::string prescribed_spin = "0";             ///< [rad/s], formula of t
   std::string material;  ///< a name of [[materials]]; "" takes the first, or none where nothing touches
 
-  static constexpr std::array<std::string_view, 2> shapes{"disc", "sphere"};
+  static constexpr std::array<std::string_view, 3> shapes{"disc", "polygon", "sphere"};
   static constexpr std::array<std::string_view, 3> motions{"free", "fixed", "prescribed"};
 
   void declare(ParameterVisitor& v) {
     v.text({"name", "", "name in reports and results; unique", true}, name);
-    v.choice({"shape", "", "disc in a plane scene, sphere in space"}, shape, shapes);
-    v.real({"radius", "m", "contact radius R", true}, radius, positive());
+    v.choice({"shape", "", "disc or polygon in a plane scene, sphere in space"}, shape, shapes);
+    const bool polygon = shape == "polygon";
+    v.real({"radius", "m", "contact radius R of a disc or sphere", !polygon}, radius,
+           polygon ? not_negative() : positive());
+    v.require(!polygon || radius == 0, "radius", "goes with discs and spheres only: remove it");
+    v.reals({"vertices", "m",
+             "of a polygon: x, y of its corners one after another, seen from its position; either turn"},
+            vertices, {0, 10000}, any_number());
+    const std::string problem = polygon            ? polygon_problem(vertices)
+                                : vertices.empty() ? ""
+                                                   : "goes with shape = \"polygon\" only: remove it";
+    v.require(problem.empty(), "vertices", problem);
     v.real({"density", "kg/m³", "density of the body; needed for free bodies"}, density, not_negative());
-    const std::size_t axes = shape == "disc" ? 2 : 3, spins = shape == "disc" ? 1 : 3;
+    const std::size_t axes = is_plane() ? 2 : 3, spins = is_plane() ? 1 : 3;
     velocity.resize(axes);  // the defaults, zero, take the length that the shape asks for
     spin.resize(spins);
-    v.reals({"position", "m", "centre at the start: [x, y] of a disc, [x, y, z] of a sphere", true}, position,
-            {axes, axes}, any_number());
+    v.reals({"position", "m", "centre at the start: [x, y] in the plane, [x, y, z] of a sphere", true},
+            position, {axes, axes}, any_number());
     v.reals({"velocity", "m/s", "velocity of the centre at the start"}, velocity, {axes, axes}, any_number());
-    v.reals({"spin", "rad/s", "spin at the start: [ω] of a disc, three entries of a sphere"}, spin,
+    v.reals({"spin", "rad/s", "spin at the start: [ω] in the plane, three entries of a sphere"}, spin,
             {spins, spins}, any_number());
     v.choice({"motion", "", "free: moved by the DEM; fixed: held; prescribed: moves by formulas of t"},
              motion, motions);
@@ -54,15 +68,21 @@ struct Body {
     v.require(motion == "prescribed" || (prescribed_velocity.empty() && prescribed_spin == "0"),
               prescribed_velocity.empty() ? "prescribed_spin" : "prescribed_velocity",
               "goes with motion = \"prescribed\" only: remove it or change the motion");
+    v.require(!polygon || motion != "free", "motion",
+              "must be \"fixed\" or \"prescribed\" for a polygon: there is no contact law for polygons yet");
     v.require(motion != "free" || density > 0, "density",
               "must be > 0 kg/m³ for a body that moves freely (motion = \"free\")");
   }
 
   bool is_free() const { return motion == "free"; }
-  /// Volume [m³] of the body seen with radius r; a disc is a cylinder of the scene's thickness.
+  bool is_plane() const { return shape != "sphere"; }
+  /// Volume [m³] of the body seen with radius r; a disc or polygon is a cylinder of the scene's thickness.
   double volume(double r, double thickness) const {
+    if (shape == "polygon") return std::abs(signed_area(vertices)) * thickness;
     return shape == "disc" ? std::numbers::pi * r * r * thickness : 4.0 / 3.0 * std::numbers::pi * r * r * r;
   }
+  /// The vertices counter-clockwise.
+  std::vector<double> outline() const { return counter_clockwise(vertices); }
 };
 
 /// First three components of a list of up to three, the rest zero.

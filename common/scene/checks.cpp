@@ -68,15 +68,21 @@ void check_materials(std::string_view list, const std::vector<Group>& groups, co
 
 void check_dimensions(const Scene& scene, ParameterVisitor& v) {
   if (scene.bodies.empty()) return;
-  const std::string& shape = scene.bodies[0].shape;
+  const bool plane = scene.bodies[0].is_plane();
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    v.require(scene.bodies[i].shape == shape, key_of("bodies", i, "shape"),
-              fmt::format("must be \"{}\" as that of the first body: a scene is plane or in space", shape));
-    v.require(!scene.fluid || scene.bodies[i].shape == "disc", key_of("bodies", i, "shape"),
-              "must be \"disc\" where there is a [fluid], which is plane");
+    const Body& body = scene.bodies[i];
+    v.require(body.is_plane() == plane, key_of("bodies", i, "shape"),
+              fmt::format("must go with the first body's, \"{}\": a scene is plane or in space",
+                          scene.bodies[0].shape));
+    v.require(!scene.fluid || body.is_plane(), key_of("bodies", i, "shape"),
+              "must be \"disc\" or \"polygon\" where there is a [fluid], which is plane");
+    v.require(body.shape != "polygon" || !scene.moves_freely(), key_of("bodies", i, "shape"),
+              "must not be \"polygon\" where other bodies move freely: there is no contact law for polygons "
+              "yet");
   }
-  const std::size_t axes = shape == "disc" ? 2 : 3;
-  const std::string all_axes = fmt::format("must have {} entries, as the bodies are {}s", axes, shape);
+  const std::size_t axes = plane ? 2 : 3;
+  const std::string all_axes =
+      fmt::format("must have {} entries, as the bodies are {}s", axes, scene.bodies[0].shape);
   v.require(axes == 3 || scene.gravity.size() == axes, "gravity", all_axes);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     const auto& [name, point, normal, material] = scene.walls[i];

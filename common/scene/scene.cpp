@@ -22,7 +22,7 @@ void Scene::declare(ParameterVisitor& v) {
   v.table({"time", "", "the time steps", true}, time);
   v.table({"fluid", "", "the flow; without it the grains are dry and no fluid program is started"}, fluid);
   v.table({"dem", "", "how the grains' motion is integrated"}, dem);
-  v.tables({"bodies", "", "discs (plane) or spheres (space), one table each"}, bodies);
+  v.tables({"bodies", "", "discs and polygons (plane) or spheres (space), one table each"}, bodies);
   v.tables({"materials", "", "what bodies and walls are made of, for their contacts"}, materials);
   v.tables({"walls", "", "planes that stop the grains; the fluid does not see them"}, walls);
   v.table({"coupling", "", "the implicit staggered iteration of each time step"}, coupling);

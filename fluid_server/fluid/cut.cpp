@@ -13,12 +13,6 @@ constexpr int deepest = 12;       // bisections; a piece is then 1/64 of the tri
 constexpr int points_along = 5;   // Gauss points along the arc
 constexpr int points_across = 4;  // and from it: degree 5 times the Jacobian
 
-/// Parameter of the point of a + t (b − a) that is nearest to the centre.
-double nearest(const Vec2& a, const Vec2& b, const Vec2& centre) {
-  const Vec2 d = b - a;
-  return d.dot(centre - a) / d.squaredNorm();
-}
-
 double twice_area(const Corners& c) { return cross(c[1] - c[0], c[2] - c[0]); }
 
 /// The arc of a disc between two of its points, the short way.
@@ -114,6 +108,17 @@ bool holds(const Corners& c, const Vec2& x) {
          cross(c[0] - c[2], x - c[2]) > 0;
 }
 
+/// As in the header, for a disc.
+Position position(const Corners& c, const Disc& disc) {
+  int n_inside = 0;
+  for (const Vec2& x : c) n_inside += disc.contains(x);
+  if (n_inside == 3) return Position::inside;
+  if (n_inside > 0 || holds(c, disc.centre)) return Position::cut;
+  for (int k = 0; k < 3; ++k)
+    if (crossings(c[k], c[(k + 1) % 3], disc).count > 0) return Position::cut;
+  return Position::outside;
+}
+
 void cut_by_one(const Corners& c, const Disc& disc, int depth, std::vector<PlanePoint>& out) {
   const std::span<const Disc> discs(&disc, 1);
   // An edge that enters and leaves the disc is split inside it, so that every edge is crossed once at most.
@@ -158,31 +163,26 @@ void cut(const Corners& c, std::span<const Disc> discs, int depth, std::vector<P
 
 }  // namespace
 
-Crossings crossings(const Vec2& a, const Vec2& b, const Disc& disc) {
-  const bool a_inside = disc.contains(a), b_inside = disc.contains(b);
-  if (a_inside && b_inside) return {};
-  const double middle = nearest(a, b, disc.centre);
-  const Vec2 d = b - a;
-  const double missing = disc.radius * disc.radius - (a + middle * d - disc.centre).squaredNorm();
-  const double half = std::sqrt(std::max(missing, 0.0) / d.squaredNorm());
-  if (a_inside) return {1, {std::clamp(middle + half, 0.0, 1.0), 0}};
-  if (b_inside) return {1, {std::clamp(middle - half, 0.0, 1.0), 0}};
-  if (missing <= 0 || middle <= 0 || middle >= 1) return {};
-  return {2, {std::max(middle - half, 0.0), std::min(middle + half, 1.0)}};
+Position position(const Corners& c, const Outline& outline) {
+  const Polygon* polygon = outline.polygon();
+  if (!polygon) return position(c, *outline.disc());
+  for (int k = 0; k < polygon->size(); ++k)
+    if (passes(polygon->side(k), c, -2 * polygon->hair())) return Position::cut;
+  return polygon->contains((c[0] + c[1] + c[2]) / 3) ? Position::inside : Position::outside;
 }
 
-Position position(const Corners& c, const Disc& disc) {
-  int n_inside = 0;
-  for (const Vec2& x : c) n_inside += disc.contains(x);
-  if (n_inside == 3) return Position::inside;
-  if (n_inside > 0 || holds(c, disc.centre)) return Position::cut;
-  for (int k = 0; k < 3; ++k)
-    if (crossings(c[k], c[(k + 1) % 3], disc).count > 0) return Position::cut;
-  return Position::outside;
-}
-
-void cut_quadrature(const Corners& triangle, std::span<const Disc> discs, std::vector<PlanePoint>& points) {
-  cut(triangle, discs, 0, points);
+void cut_quadrature(const Corners& triangle, std::span<const Outline* const> outlines,
+                    std::vector<PlanePoint>& points) {
+  std::vector<Disc> discs;
+  std::vector<const Polygon*> polygons;
+  for (const Outline* outline : outlines) {
+    if (outline->disc()) discs.push_back(*outline->disc());
+    if (outline->polygon()) polygons.push_back(outline->polygon());
+  }
+  if (polygons.empty()) return cut(triangle, discs, 0, points);
+  for (const Convex& piece : outside(triangle, polygons))
+    for (std::size_t k = 1; k + 1 < piece.size(); ++k)
+      cut({piece[0], piece[k], piece[k + 1]}, discs, 0, points);
 }
 
 }  // namespace fpi::fluid

@@ -2,29 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.hpp"
+#include "fluid/cut.hpp"
 
 namespace fpi::fluid {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double shortest = 1e-14;  ///< stretch that counts, of a parameter near 1
 
-std::vector<Index> cells_near(const Locator& locator, const Disc& disc) {
-  const Vec2 r = Vec2::Constant(disc.radius);
-  return locator.near(disc.centre - r, disc.centre + r);
+std::vector<Index> cells_near(const Locator& locator, const Outline& outline) {
+  return locator.near(outline.lower(), outline.upper());
 }
 
-/// (cell, interface) for every cell that a circle cuts, sorted by cell; solid cells are marked on the way.
+/// (cell, interface) for every cell that an outline cuts or touches, sorted by cell; solid cells are marked
+/// on the way.
 std::vector<std::pair<Index, Index>> classify(const Mesh& mesh, const Locator& locator,
                                               std::span<const Interface> interfaces,
                                               std::vector<CellState>& state) {
   std::vector<std::pair<Index, Index>> cuts;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    const Disc disc = interfaces[i].disc();
-    for (Index c : cells_near(locator, disc)) {
-      const Position where = position(mesh.corners(c), disc);
+    const Outline& outline = interfaces[i].outline;
+    for (Index c : cells_near(locator, outline)) {
+      const Position where = position(mesh.corners(c), outline);
       if (where == Position::inside) state[c] = CellState::solid;
       if (where == Position::cut) cuts.emplace_back(c, static_cast<Index>(i));
     }
@@ -35,9 +35,9 @@ std::vector<std::pair<Index, Index>> classify(const Mesh& mesh, const Locator& l
   return cuts;
 }
 
-std::vector<ElementPoint> element_points(const Corners& corners, std::span<const Disc> discs) {
+std::vector<ElementPoint> element_points(const Corners& corners, std::span<const Outline* const> outlines) {
   std::vector<PlanePoint> plane;
-  cut_quadrature(corners, discs, plane);
+  cut_quadrature(corners, outlines, plane);
   const Triangle triangle(corners);
   std::vector<ElementPoint> points;
   points.reserve(plane.size());
@@ -45,58 +45,33 @@ std::vector<ElementPoint> element_points(const Corners& corners, std::span<const
   return points;
 }
 
-/// Angles in [0, 2π) at which the circle crosses the edges of a cell. Edges are taken in their own direction,
-/// so that both neighbours find bitwise the same angle.
-std::vector<double> crossing_angles(const Mesh& mesh, Index cell, const Disc& disc) {
-  std::vector<double> angles;
-  for (Index e : mesh.cell_edges[cell]) {
-    const Vec2 a = mesh.vertices[mesh.edges[e][0]], b = mesh.vertices[mesh.edges[e][1]];
-    const Crossings found = crossings(a, b, disc);
-    for (int k = 0; k < found.count; ++k) {
-      const double angle = disc.angle(a + found.t[k] * (b - a));
-      angles.push_back(angle < 0 ? angle + two_pi : angle);
-    }
-  }
-  return angles;
-}
-
-/// Angles at which another circle crosses this one.
-void add_circle_crossings(const Disc& disc, const Disc& other, std::vector<double>& angles) {
-  const Vec2 d = other.centre - disc.centre;
-  const double distance = d.norm();
-  if (distance == 0 || distance >= disc.radius + other.radius ||
-      distance <= std::abs(disc.radius - other.radius))
-    return;
-  const double cosine = (distance * distance + disc.radius * disc.radius - other.radius * other.radius) /
-                        (2 * distance * disc.radius);
-  const double middle = std::atan2(d.y(), d.x()), half = std::acos(std::clamp(cosine, -1.0, 1.0));
-  for (double angle : {middle - half, middle + half})
-    angles.push_back(angle - two_pi * std::floor(angle / two_pi));
-}
-
 struct Interval {
   double start, end;
 };
 
-/// Stretches of the circle inside one cell and outside all other discs.
-std::vector<Interval> stretches(const Mesh& mesh, Index cell, const Disc& disc,
-                                std::span<const Disc> others) {
-  std::vector<double> angles = crossing_angles(mesh, cell, disc);
-  for (const Disc& other : others) add_circle_crossings(disc, other, angles);
-  std::sort(angles.begin(), angles.end());
-  if (angles.empty()) angles.push_back(0);
-  angles.push_back(angles.front() + two_pi);
+/// Stretches of an outline inside one cell and outside all other bodies. The cell's edges are taken in their
+/// own direction, so that both neighbours split at the same places to the bit.
+std::vector<Interval> stretches(const Mesh& mesh, Index cell, const Outline& outline,
+                                std::span<const Outline* const> others) {
+  std::vector<double> splits;
+  for (Index e : mesh.cell_edges[cell])
+    outline.add_crossings(mesh.vertices[mesh.edges[e][0]], mesh.vertices[mesh.edges[e][1]], splits);
+  for (const Outline* other : others) outline.add_crossings(*other, splits);
+  for (int corner = 0; corner < outline.n_corners(); ++corner) splits.push_back(corner);
+  std::sort(splits.begin(), splits.end());
+  if (splits.empty()) splits.push_back(0);
+  splits.push_back(splits.front() + outline.period());
 
   const Triangle triangle(mesh.corners(cell));
   std::vector<Interval> out;
-  for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
-    if (angles[i + 1] - angles[i] < 1e-14) continue;
-    const Vec2 middle = disc.at(0.5 * (angles[i] + angles[i + 1]));
-    const auto l = triangle.barycentric(middle);
+  for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
+    if (splits[i + 1] - splits[i] < shortest) continue;
+    const Vec2 place = outline.beside(0.5 * (splits[i] + splits[i + 1]));
+    const auto l = triangle.barycentric(place);
     const bool in_cell = std::min({l[0], l[1], l[2]}) > 0;
-    const bool in_fluid =
-        std::none_of(others.begin(), others.end(), [&](const Disc& d) { return d.contains(middle); });
-    if (in_cell && in_fluid) out.push_back({angles[i], angles[i + 1]});
+    const bool in_fluid = std::none_of(others.begin(), others.end(),
+                                       [&](const Outline* other) { return other->contains(place); });
+    if (in_cell && in_fluid) out.push_back({splits[i], splits[i + 1]});
   }
   return out;
 }
@@ -104,15 +79,44 @@ std::vector<Interval> stretches(const Mesh& mesh, Index cell, const Disc& disc,
 /// Cuts a stretch at the ends of the arcs and appends the pieces.
 void add_pieces(const Interface& interface, Index i, Index first_multiplier, Index cell,
                 const Interval& stretch, std::vector<ArcPiece>& pieces) {
+  const double period = interface.outline.period();
   for (Index a = 0; a < interface.n_arcs(); ++a) {
     const double arc_start = interface.start[a], arc_end = interface.end[a];
-    const double first_turn = std::floor((arc_start - stretch.end) / two_pi);
-    for (double turn = first_turn; stretch.start + turn * two_pi < arc_end; ++turn) {
-      const double start = std::max(stretch.start + turn * two_pi, arc_start);
-      const double end = std::min(stretch.end + turn * two_pi, arc_end);
-      if (end - start > 1e-14) pieces.push_back({cell, i, a, first_multiplier + a, start, end});
+    const double first_turn = std::floor((arc_start - stretch.end) / period);
+    for (double turn = first_turn; stretch.start + turn * period < arc_end; ++turn) {
+      const double start = std::max(stretch.start + turn * period, arc_start);
+      const double end = std::min(stretch.end + turn * period, arc_end);
+      if (end - start > shortest) pieces.push_back({cell, i, a, first_multiplier + a, start, end});
     }
   }
+}
+
+/// Cuts one element by the bodies that meet it, each with its number. A touch that takes nothing of it and
+/// leaves no arc with it makes it fluid; one whose rest is nothing is solid.
+void cut_cell(const Mesh& mesh, Index cell, std::span<const std::pair<Index, Index>> cuts,
+              std::span<const Interface> interfaces, CutMesh& out) {
+  constexpr double negligible = 1e-11;  // of the element's area
+  std::vector<const Outline*> here;
+  for (const auto& [c, i] : cuts) here.push_back(&interfaces[i].outline);
+  const std::size_t before = out.pieces.size();
+  for (std::size_t own = 0; own < here.size(); ++own) {
+    std::vector<const Outline*> others = here;
+    others.erase(others.begin() + own);
+    const Index i = cuts[own].second;
+    for (const Interval& stretch : stretches(mesh, cell, *here[own], others))
+      add_pieces(interfaces[i], i, out.first_multiplier[i], cell, stretch, out.pieces);
+  }
+  CutCell cut{cell, element_points(mesh.corners(cell), here), metric_of(Triangle(mesh.corners(cell)))};
+  cut.metric.area = 1;
+  const bool holds_an_arc = out.pieces.size() > before;
+  double left = 0;
+  for (const ElementPoint& point : cut.points) left += point.weight / mesh.area(cell);
+  if (!holds_an_arc && left < negligible)
+    out.state[cell] = CellState::solid;
+  else if (!holds_an_arc && left > 1 - negligible)
+    out.state[cell] = CellState::fluid;
+  else
+    out.cut_cells.push_back(std::move(cut));
 }
 
 void collect_ghost_edges(const Mesh& mesh, CutMesh& out) {
@@ -130,10 +134,10 @@ void collect_ghost_edges(const Mesh& mesh, CutMesh& out) {
 void collect_covered_nodes(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces,
                            CutMesh& out) {
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    const Disc disc = interfaces[i].disc();
-    for (Index c : cells_near(locator, disc))
+    const Outline& outline = interfaces[i].outline;
+    for (Index c : cells_near(locator, outline))
       for (Index node : mesh.cell_nodes(c))
-        if (disc.contains(mesh.node_position(node))) out.covered.push_back({node, static_cast<Index>(i)});
+        if (outline.contains(mesh.node_position(node))) out.covered.push_back({node, static_cast<Index>(i)});
   }
   const auto by_node = [](const CoveredNode& a, const CoveredNode& b) { return a.node < b.node; };
   std::stable_sort(out.covered.begin(), out.covered.end(), by_node);
@@ -147,47 +151,28 @@ CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Inter
   CutMesh out;
   out.state.assign(mesh.n_cells(), CellState::fluid);
   out.first_multiplier.push_back(0);
-  std::vector<Disc> discs;
-  for (const Interface& interface : interfaces) {
+  for (const Interface& interface : interfaces)
     out.first_multiplier.push_back(out.first_multiplier.back() + interface.n_arcs());
-    discs.push_back(interface.disc());
-  }
   const auto cuts = classify(mesh, locator, interfaces, out.state);
   for (auto it = cuts.begin(); it != cuts.end();) {
     const Index cell = it->first;
     const auto end = std::find_if(it, cuts.end(), [&](const auto& pair) { return pair.first != cell; });
-    std::vector<Disc> here;
-    for (auto k = it; k != end; ++k) here.push_back(discs[k->second]);
-    for (auto k = it; k != end; ++k) {
-      const std::size_t own = k - it;
-      std::vector<Disc> others = here;
-      others.erase(others.begin() + own);
-      for (const Interval& stretch : stretches(mesh, cell, here[own], others))
-        add_pieces(interfaces[k->second], k->second, out.first_multiplier[k->second], cell, stretch,
-                   out.pieces);
-    }
-    CutCell cut{cell, element_points(mesh.corners(cell), here), metric_of(Triangle(mesh.corners(cell)))};
-    cut.metric.area = 1;
-    const bool holds_an_arc = !out.pieces.empty() && out.pieces.back().cell == cell;
-    if (cut.points.empty() && !holds_an_arc)
-      out.state[cell] = CellState::solid;  // covered by several discs together
-    else
-      out.cut_cells.push_back(std::move(cut));
+    cut_cell(mesh, cell, {it, end}, interfaces, out);
     it = end;
   }
   out.active_length.assign(out.n_multipliers(), 0);
   for (const ArcPiece& piece : out.pieces)
-    out.active_length[piece.multiplier] += (piece.end - piece.start) * interfaces[piece.interface].radius;
+    out.active_length[piece.multiplier] += interfaces[piece.interface].outline.length(piece.start, piece.end);
   collect_ghost_edges(mesh, out);
   collect_covered_nodes(mesh, locator, interfaces, out);
   return out;
 }
 
-double wanted_arc_length(const Mesh& mesh, const Locator& locator, const Disc& disc, double ratio) {
+double wanted_arc_length(const Mesh& mesh, const Locator& locator, const Outline& outline, double ratio) {
   double sum = 0;
   int n = 0;
-  for (Index c : cells_near(locator, disc)) {
-    if (position(mesh.corners(c), disc) != Position::cut) continue;
+  for (Index c : cells_near(locator, outline)) {
+    if (position(mesh.corners(c), outline) != Position::cut) continue;
     sum += mesh.size(c);
     ++n;
   }

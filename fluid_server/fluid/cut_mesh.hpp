@@ -15,13 +15,13 @@ namespace fpi::fluid {
 
 enum class CellState : std::uint8_t { fluid, cut, solid };
 
-/// A stretch of one arc inside one element.
+/// A stretch of one arc (or edge) inside one element.
 struct ArcPiece {
   Index cell;
   Index interface;    ///< index in the list of interfaces
   Index arc;          ///< number of the arc on its body
   Index multiplier;   ///< number of the arc among all of them
-  double start, end;  ///< [rad]
+  double start, end;  ///< parameters of the outline
 };
 
 struct CutCell {
@@ -51,8 +51,8 @@ struct CutMesh {
 
 CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces);
 
-/// Arc length that suits the mesh around a circle: `ratio` times the mean size h of the elements it cuts. For
-/// a disc within one element, of the element that holds its centre; 0 outside the mesh.
-double wanted_arc_length(const Mesh& mesh, const Locator& locator, const Disc& disc, double ratio);
+/// Arc length that suits the mesh around an outline: `ratio` times the mean size h of the elements it cuts; 0
+/// outside the mesh.
+double wanted_arc_length(const Mesh& mesh, const Locator& locator, const Outline& outline, double ratio);
 
 }  // namespace fpi::fluid

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.hpp"
 #include "fluid/quadrature.hpp"
@@ -19,23 +18,27 @@ void check_arcs(const Interface& f) {
   require(n > 0 && f.end.size() == f.start.size(), "body {}: at least one arc is required; got {}", f.body,
           n);
   for (Index a = 0; a < n; ++a)
-    require(f.end[a] > f.start[a] && std::abs(f.start[a]) < 100 &&
+    require(f.end[a] > f.start[a] && std::abs(f.start[a]) < 16 * f.outline.period() &&
                 (a == 0 || std::abs(f.start[a] - f.end[a - 1]) < round_off),
-            "body {}: each arc must start where the one before ends, at angles below 100 rad; arc {} runs "
+            "body {}: each arc must start where the one before ends, less than 16 turns from 0; arc {} runs "
             "from {} to {}",
             f.body, a, f.start[a], f.end[a]);
   const double turn = f.end.back() - f.start.front();
-  require(std::abs(turn - 2 * std::numbers::pi) < round_off * n,
-          "body {}: the arcs must go once around the circle; they cover {} rad", f.body, turn);
+  require(std::abs(turn - f.outline.period()) < round_off * n,
+          "body {}: the arcs must go once around the outline, from 0 to {}; they cover {}", f.body,
+          f.outline.period(), turn);
 }
 
 void check_size(const Interface& f) {
-  const double largest = std::max({f.rigid.centre.lpNorm<Eigen::Infinity>(), f.radius, std::abs(f.rigid.spin),
+  const Vec2 low = f.outline.lower(), high = f.outline.upper();
+  const double largest = std::max({low.lpNorm<Eigen::Infinity>(), high.lpNorm<Eigen::Infinity>(),
+                                   f.rigid.centre.lpNorm<Eigen::Infinity>(), std::abs(f.rigid.spin),
                                    f.rigid.translation.lpNorm<Eigen::Infinity>()});
-  require(f.radius > 0 && largest < farthest,
-          "body {}: radius, place and velocity must be below {:g} in SI units; got {:g}: did the coupling "
-          "diverge?",
-          f.body, farthest, largest);
+  require(
+      f.outline.area() > 0 && (high - low).minCoeff() > 0 && largest < farthest,
+      "body {}: an outline that encloses an area counter-clockwise is required, and places and velocities "
+      "below {:g} in SI units; got an area of {:g} m² and {:g}: did the coupling diverge?",
+      f.body, farthest, f.outline.area(), largest);
   const std::size_t n = f.sampled.size() / f.start.size();
   require(n * f.start.size() == f.sampled.size() && n <= most_samples,
           "body {}: at most {} velocities an arc, the same number on each, are taken; got {} on {} arcs",
@@ -44,26 +47,38 @@ void check_size(const Interface& f) {
 
 }  // namespace
 
+void set_edges(Interface& f, const std::vector<Vec2>& vertices) {
+  auto [polygon, parameters] = merge_collinear(vertices);
+  require(polygon.size() >= 3,
+          "body {}: an outline with three corners or more is required; got {} from {} vertices", f.body,
+          polygon.size(), vertices.size());
+  f.start = std::move(parameters);
+  f.end.assign(f.start.begin() + 1, f.start.end());
+  f.end.push_back(f.start.front() + polygon.period());
+  f.outline = std::move(polygon);
+}
+
 void check(std::span<const Interface> interfaces) {
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const Interface& f = interfaces[i];
-    check_arcs(f);
     check_size(f);
+    check_arcs(f);
     for (const Interface& other : interfaces.first(i)) {
       require(other.body != f.body, "each body must come once; body {} comes twice", f.body);
-      const double apart = (other.rigid.centre - f.rigid.centre).norm() + std::abs(other.radius - f.radius);
-      require(apart > 1e-6 * f.radius,
+      const Vec2 low = f.outline.lower(), high = f.outline.upper();
+      const double apart = (other.outline.lower() - low).norm() + (other.outline.upper() - high).norm();
+      require(apart > 1e-6 * (high - low).norm(),
               "bodies {} and {} lie on top of each other at ({:g}, {:g}) m: move one", other.body, f.body,
               f.rigid.centre.x(), f.rigid.centre.y());
     }
   }
 }
 
-Vec2 Interface::velocity(Index arc, double angle) const {
-  if (sampled.empty()) return rigid(disc().at(angle));
+Vec2 Interface::velocity(Index arc, double parameter) const {
+  if (sampled.empty()) return rigid(outline.at(parameter));
   const int n = static_cast<int>(sampled.size()) / n_arcs();
   const auto points = gauss_legendre(n);
-  const double s = (angle - start[arc]) / (end[arc] - start[arc]);
+  const double s = (parameter - start[arc]) / (end[arc] - start[arc]);
   Vec2 value = Vec2::Zero();
   for (int i = 0; i < n; ++i) {  // Lagrange's form
     double basis = 1;
@@ -75,7 +90,7 @@ Vec2 Interface::velocity(Index arc, double angle) const {
 }
 
 bool Interface::same_geometry(const Interface& other) const {
-  return radius == other.radius && rigid.centre == other.rigid.centre && start == other.start &&
+  return outline == other.outline && rigid.centre == other.rigid.centre && start == other.start &&
          end == other.end;
 }
 

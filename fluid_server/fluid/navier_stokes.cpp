@@ -1,7 +1,6 @@
 #include "fluid/navier_stokes.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "core/error.hpp"
 #include "fluid/steady.hpp"
@@ -153,12 +152,13 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
     out[i].body = interface.body;
     for (Index a = 0; a < interface.n_arcs(); ++a)
       out[i].lambda.push_back(current_.fields.lambda.segment<2>(2 * (first + a)));
-    const double area = std::numbers::pi * interface.radius * interface.radius;
-    out[i].force = resultants[i].force - flow_.density * area * settings_.gravity;
-    out[i].torque = resultants[i].torque;
-    out[i].arc_length = arc_length(interface.disc());
+    const Outline& outline = interface.outline;
+    const Vec2 buoyancy = -flow_.density * outline.area() * settings_.gravity;
+    out[i].force = resultants[i].force + buoyancy;
+    out[i].torque = resultants[i].torque + cross(outline.centroid() - interface.rigid.centre, buoyancy);
+    out[i].arc_length = arc_length(outline);
     require(out[i].arc_length > 0,
-            "body {} must stay in the mesh; its circle at ({:g}, {:g}) m meets no element: end the "
+            "body {} must stay in the mesh; its outline around ({:g}, {:g}) m meets no element: end the "
             "run earlier or make the mesh larger",
             interface.body, interface.rigid.centre.x(), interface.rigid.centre.y());
   }
@@ -212,8 +212,8 @@ void NavierStokes::drop_caches() {
   current_.factor.reset();
 }
 
-double NavierStokes::arc_length(const Disc& disc) const {
-  return wanted_arc_length(space_.mesh, space_.locator, disc, settings_.fluid.embedding.arc_ratio);
+double NavierStokes::arc_length(const Outline& outline) const {
+  return wanted_arc_length(space_.mesh, space_.locator, outline, settings_.fluid.embedding.arc_ratio);
 }
 
 std::vector<bool> NavierStokes::active_cells() const {
@@ -234,8 +234,8 @@ Vector NavierStokes::velocity_with_bodies() const {
 std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
   const std::optional<Place> place = space_.locator.find(x);
   if (!place || (accepted_system_ && !accepted_system_->cut().is_active(place->cell))) return std::nullopt;
-  for (const Interface& interface : accepted_interfaces_)  // a point on the circle itself is in the fluid
-    if ((x - interface.rigid.centre).norm() < (1 - 1e-6) * interface.radius) return std::nullopt;
+  for (const Interface& interface : accepted_interfaces_)  // a point on the outline itself is in the fluid
+    if (interface.outline.distance(x) < -1e-6 * std::sqrt(interface.outline.area())) return std::nullopt;
   const auto& [c, l] = *place;
   const Padded n = p2_at(l);
   const auto nodes = space_.mesh.cell_nodes(c);

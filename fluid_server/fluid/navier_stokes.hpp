@@ -62,7 +62,7 @@ class NavierStokes {
   /// Drops factors; see Participant::checkpoint.
   void drop_caches();
 
-  double arc_length(const Disc& disc) const;
+  double arc_length(const Outline& outline) const;
   /// Cells of the accepted state that are in the fluid, wholly or in part.
   std::vector<bool> active_cells() const;
   /// Velocity of each node of the accepted state for pictures [m/s]: inside a body it is the body's, where

@@ -20,27 +20,26 @@ class Components {
   std::vector<Index> parent_;
 };
 
-/// True where a disc covers the whole edge, so that no fluid passes.
-bool is_blocked(const Mesh& mesh, Index edge, std::span<const Disc> discs) {
-  const Vec2 a = mesh.vertices[mesh.edges[edge][0]], b = mesh.vertices[mesh.edges[edge][1]];
-  for (const Disc& disc : discs)
-    if (disc.contains(a) && disc.contains(b)) return true;
-  return false;
+/// True where bodies cover the whole edge, so that no fluid passes.
+bool is_blocked(const Mesh& mesh, Index edge, std::span<const Outline> outlines) {
+  return covered(mesh.vertices[mesh.edges[edge][0]], mesh.vertices[mesh.edges[edge][1]], outlines);
 }
 
 /// One vertex of each fluid component that has no open boundary: its pressure is pinned.
 std::vector<Index> pinned_vertices(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
-                                   std::span<const Disc> discs) {
+                                   std::span<const Outline> outlines) {
   Components components(mesh.n_cells());
   for (Index e = 0; e < mesh.n_edges(); ++e) {
     const auto [c1, c2] = mesh.edge_cells[e];
     if (c2 == -1 || !cut.is_active(c1) || !cut.is_active(c2)) continue;
     const bool near_body = cut.state[c1] == CellState::cut && cut.state[c2] == CellState::cut;
-    if (!near_body || !is_blocked(mesh, e, discs)) components.join(c1, c2);
+    if (!near_body || !is_blocked(mesh, e, outlines)) components.join(c1, c2);
   }
   std::vector<std::uint8_t> has_level(mesh.n_cells(), 0);
   for (const BoundaryEdge& b : mesh.boundary)
-    if (cut.is_active(b.cell) && boundary.is_open(b.boundary)) has_level[components.find(b.cell)] = 1;
+    if (cut.is_active(b.cell) && boundary.is_open(b.boundary) &&
+        (cut.state[b.cell] == CellState::fluid || !is_blocked(mesh, b.edge, outlines)))
+      has_level[components.find(b.cell)] = 1;
   std::vector<Index> pinned;
   for (Index c = 0; c < mesh.n_cells(); ++c) {
     if (cut.state[c] != CellState::fluid)
@@ -69,15 +68,15 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
     for (Index node : mesh.cell_nodes(c)) out.node_is_active[node] = 1;
     for (Index v : mesh.cells[c]) out.pressure[v] = wanted;
   }
-  std::vector<Disc> discs;
-  for (const Interface& interface : interfaces) discs.push_back(interface.disc());
-  out.pinned = pinned_vertices(mesh, boundary, cut, discs);
+  std::vector<Outline> outlines;
+  for (const Interface& interface : interfaces) outlines.push_back(interface.outline);
+  out.pinned = pinned_vertices(mesh, boundary, cut, outlines);
   for (Index v : out.pinned) out.pressure[v] = absent;
   for (std::size_t i = 0; i < interfaces.size(); ++i)
     for (Index a = 0; a < interfaces[i].n_arcs(); ++a) {
       const Index m = cut.first_multiplier[i] + a;
-      const double length = (interfaces[i].end[a] - interfaces[i].start[a]) * interfaces[i].radius;
-      if (cut.active_length[m] > 0.05 * length) out.multiplier[2 * m] = out.multiplier[2 * m + 1] = wanted;
+      if (cut.active_length[m] > 0.05 * interfaces[i].length(a))
+        out.multiplier[2 * m] = out.multiplier[2 * m + 1] = wanted;
     }
 
   // Cell by cell, so that what an element couples lies close together in the matrix.

@@ -149,14 +149,13 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     const ArcPiece& piece = cut_.pieces[k];
     const Interface& interface = interfaces_[piece.interface];
-    const Disc disc = interface.disc();
     const Triangle& triangle = space_.triangles[piece.cell];
     pieces_[k] = {Padded::Zero(), Vec2::Zero()};
     for (const LinePoint& point : gauss_legendre(points_on_piece)) {
-      const double angle = piece.start + point.s * (piece.end - piece.start);
-      const double w = point.weight * (piece.end - piece.start) * disc.radius;
-      pieces_[k].shape += w * p2_at(triangle.barycentric(disc.at(angle)));
-      pieces_[k].velocity += w * interface.velocity(piece.arc, angle);
+      const double parameter = piece.start + point.s * (piece.end - piece.start);
+      const double w = point.weight * interface.outline.length(piece.start, piece.end);
+      pieces_[k].shape += w * p2_at(triangle.barycentric(interface.outline.at(parameter)));
+      pieces_[k].velocity += w * interface.velocity(piece.arc, parameter);
     }
   }
 }
@@ -255,14 +254,11 @@ std::string System::largest_residual(const Vector& gathered) const {
 std::vector<System::Resultant> System::resultants(const Vector& lambda) const {
   std::vector<Resultant> out(interfaces_.size());
   for (const ArcPiece& piece : cut_.pieces) {
-    const double r = interfaces_[piece.interface].radius;
+    const Interface& interface = interfaces_[piece.interface];
     const Vec2 value = lambda.segment<2>(2 * piece.multiplier);
-    // ∫ (cos θ, sin θ) r² dθ over the piece
-    const Vec2 arm =
-        r * r *
-        Vec2(std::sin(piece.end) - std::sin(piece.start), std::cos(piece.start) - std::cos(piece.end));
-    out[piece.interface].force += (piece.end - piece.start) * r * value;
-    out[piece.interface].torque += cross(arm, value);
+    out[piece.interface].force += interface.outline.length(piece.start, piece.end) * value;
+    out[piece.interface].torque +=
+        cross(interface.outline.moment(interface.rigid.centre, piece.start, piece.end), value);
   }
   return out;
 }

@@ -50,6 +50,35 @@ TEST(Arcs, a_length_that_makes_no_sense_is_refused) {
   EXPECT_THROW(cut_circle({0, 0, 0}, 0, 0.1), Error);
 }
 
+TEST(Edges, divide_each_side_equally_and_keep_the_corners) {
+  const std::vector<double> corners{0, 0, 1, 0, 1, 0.3, 0, 0.3};
+  const Eigen::Quaterniond quarter(Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()));
+  const Arcs edges = cut_polygon({5, 7, 0}, quarter, corners, 0.1);
+  ASSERT_EQ(edges.size(), 26u);
+  EXPECT_NEAR(edges.vertices[20], 5, 1e-15);  // corner (1, 0) after a quarter turn
+  EXPECT_NEAR(edges.vertices[21], 8, 1e-15);
+  for (std::size_t a = 0; a < edges.size(); ++a)
+    EXPECT_NEAR((edges.from_centre(a, 1) - edges.from_centre(a, 0)).norm(), 0.1, 1e-14);
+}
+
+TEST(Edges, are_one_a_side_at_least_and_a_length_that_makes_no_sense_is_refused) {
+  const std::vector<double> corners{0, 0, 1, 0, 0, 1};
+  EXPECT_EQ(cut_polygon({0, 0, 0}, Eigen::Quaterniond::Identity(), corners, 100).size(), 3u);
+  EXPECT_THROW(cut_polygon({0, 0, 0}, Eigen::Quaterniond::Identity(), corners, 0), Error);
+  EXPECT_THROW(cut_polygon({0, 0, 0}, Eigen::Quaterniond::Identity(), corners, 1e-9), Error);
+}
+
+TEST(InterfaceVelocities, on_edges_are_those_of_the_rigid_motion) {
+  const Arcs edges = cut_polygon({1, 2, 0}, Eigen::Quaterniond::Identity(), {0, 0, 1, 0, 0, 1}, 2);
+  RigidMotion motion;
+  motion.velocity = {3, -1, 0};
+  motion.spin = {0, 0, 2};
+  const std::vector<double> u = velocities_on(edges, motion);
+  ASSERT_EQ(u.size(), 2 * points_per_arc * 3);
+  EXPECT_NEAR(u[2], 3, 1e-15);  // the middle of the first side, (0.5, 0) from the centre
+  EXPECT_NEAR(u[3], -1 + 2 * 0.5, 1e-15);
+}
+
 TEST(InterfaceVelocities, of_a_spin_are_tangent_and_of_a_translation_uniform) {
   const Arcs arcs = cut_circle({1, 2, 0}, 0.5, 0.4);
   RigidMotion motion;

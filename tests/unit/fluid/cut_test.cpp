@@ -2,58 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
 #include <random>
 
-#include "fluid/cut_mesh.hpp"
-#include "fluid/rectangle.hpp"
+#include "cut_case.hpp"
 
 namespace fpi::fluid {
 namespace {
-
-constexpr double pi = std::numbers::pi;
-
-Interface circle(const Vec2& centre, double radius, int n_arcs) {
-  Interface out;
-  out.radius = radius;
-  out.rigid.centre = centre;
-  for (int a = 0; a < n_arcs; ++a) {
-    out.start.push_back(2 * pi * a / n_arcs);
-    out.end.push_back(2 * pi * (a + 1) / n_arcs);
-  }
-  return out;
-}
-
-/// A square [-1, 1]² of n × n cells.
-struct Square {
-  Mesh mesh;
-  Locator locator;
-  explicit Square(int n)
-      : mesh(make_rectangle(uniform_lines(-1, 1, n), uniform_lines(-1, 1, n))), locator(mesh) {}
-};
-
-/// Integral of f over the part of the mesh that is in the fluid.
-template <class F>
-double integrate(const Mesh& mesh, const CutMesh& cut, F f) {
-  double sum = 0;
-  for (Index c = 0; c < mesh.n_cells(); ++c) {
-    if (cut.state[c] != CellState::fluid) continue;
-    const Triangle t(mesh.corners(c));
-    for (const ElementPoint& p : standard_points()) sum += t.area * p.weight * f(t.point(p.shape.l));
-  }
-  for (const CutCell& cell : cut.cut_cells) {
-    const Triangle t(mesh.corners(cell.cell));
-    for (const ElementPoint& p : cell.points) sum += p.weight * f(t.point(p.shape.l));
-  }
-  return sum;
-}
-
-double arc_length(const CutMesh& cut) {
-  double sum = 0;
-  for (double length : cut.active_length) sum += length;
-  return sum;
-}
 
 TEST(Cut, area_and_moments_outside_a_disc_are_exact_to_1e9_wherever_it_lies) {
   const Square square(16);  // D/h = 8
@@ -134,7 +88,7 @@ TEST(Cut, elements_inside_a_body_are_deactivated) {
   const CutMesh cut = cut_mesh(square.mesh, square.locator, bodies);
   for (Index c = 0; c < square.mesh.n_cells(); ++c)
     EXPECT_EQ(cut.state[c] == CellState::solid,
-              position(square.mesh.corners(c), bodies[0].disc()) == Position::inside);
+              position(square.mesh.corners(c), bodies[0].outline) == Position::inside);
 }
 
 TEST(Cut, pieces_of_an_arc_add_up_to_it) {

@@ -34,8 +34,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"plane_fluid",
              with(with(settling, "[0.01, 0.04]", "[0.01, 0.04, 0]"),
                   "radius =", "shape = \"sphere\"\nradius ="),
-             "drop.toml:26: bodies.0.shape must be \"disc\" where there is a [fluid], which is plane; got "
-             "\"sphere\""},
+             "drop.toml:26: bodies.0.shape must be \"disc\" or \"polygon\" where there is a [fluid], which "
+             "is plane; "
+             "got \"sphere\""},
         Case{"plane_gravity", with(settling, "[0, -9.81]", "[0, -9.81, 0]"),
              "drop.toml:2: gravity must have 2 entries, as the bodies are discs; got [0, -9.81, 0]"},
         Case{"plane_wall", with(settling, "normal = [0, 1]", "normal = [0, 1, 0]"),

@@ -22,7 +22,7 @@ double couette_torque(int elements_per_diameter) {
   auto s = settings(1, mu, {{"left", given}, {"right", given}, {"bottom", given}, {"top", given}});
   const int n = elements_per_diameter * 3 / 2;
   NavierStokes solver(square(n, -1.5, 1.5), s);
-  Interface disc = circle(0, {0.013, 0.027}, r1, solver.arc_length({{0.013, 0.027}, r1}));
+  Interface disc = circle(0, {0.013, 0.027}, r1, solver.arc_length(Disc{{0.013, 0.027}, r1}));
   disc.rigid.spin = omega;
   const Result result = solve_steady(solver, {disc});
   EXPECT_TRUE(result.newton.converged) << result.newton.reason;
@@ -52,7 +52,7 @@ TEST(Embedded, dfg_2d_1_drag_and_lift_at_16_elements_a_diameter) {
                                      graded_lines(0, 0.41, 0.12, 0.28, h, 1.1, 0.02)),
                       s);
   const Result result =
-      solve_steady(solver, {circle(0, {0.2, 0.2}, 0.05, solver.arc_length({{0.2, 0.2}, 0.05}))});
+      solve_steady(solver, {circle(0, {0.2, 0.2}, 0.05, solver.arc_length(Disc{{0.2, 0.2}, 0.05}))});
   ASSERT_TRUE(result.newton.converged) << result.newton.reason;
   const double scale = 2 / (0.2 * 0.2 * 0.1);
   const double cd = scale * result.tractions[0].force.x(), cl = scale * result.tractions[0].force.y();
@@ -145,13 +145,13 @@ TEST(Embedded, interfaces_that_make_no_sense_are_refused_with_the_body) {
     }
     return false;
   };
-  Interface gap = good, twice = good, huge = good, far = good, again = good;
+  Interface gap = good, twice = good, huge = good, again = good;
   gap.start.pop_back();
   gap.end.pop_back();
   twice.start.insert(twice.start.end(), good.start.begin(), good.start.end());
   twice.end.insert(twice.end.end(), good.end.begin(), good.end.end());
   huge.rigid.translation = {1e155, 0};
-  far.rigid.centre = {5, 5};
+  const Interface far = circle(3, {5, 5}, 0.2, 1.0 / 8);
   again.body = 4;
   EXPECT_TRUE(refused({gap}));
   EXPECT_TRUE(refused({twice}));

@@ -1,0 +1,50 @@
+#include "fluid/outline.hpp"
+
+#include <algorithm>
+
+namespace fpi::fluid {
+
+Vec2 Outline::beside(double parameter) const {
+  const Polygon* p = polygon();
+  return p ? p->at(parameter) + hair_ * p->normal(parameter) : at(parameter);
+}
+
+void Outline::add_crossings(const Vec2& a, const Vec2& b, std::vector<double>& parameters) const {
+  visit([&](const auto& s) { fluid::add_crossings(s, a, b, parameters); });
+}
+
+void Outline::add_crossings(const Outline& other, std::vector<double>& parameters) const {
+  if (const Disc* d = other.disc()) {
+    visit([&](const auto& s) { fluid::add_crossings(s, *d, parameters); });
+  } else {
+    for (int k = 0; k < other.polygon()->size(); ++k) {
+      const auto [from, to] = other.polygon()->side(k);
+      add_crossings(from, to, parameters);
+    }
+  }
+}
+
+bool covered(const Vec2& a, const Vec2& b, std::span<const Outline> outlines) {
+  std::vector<double> met, t{0, 1};
+  const Vec2 low = a.cwiseMin(b), high = a.cwiseMax(b);
+  bool touches_any = false;
+  for (const Outline& outline : outlines) {
+    if ((outline.lower().array() > high.array()).any() || (outline.upper().array() < low.array()).any())
+      continue;
+    touches_any = true;
+    met.clear();
+    outline.add_crossings(a, b, met);
+    for (const double parameter : met)
+      t.push_back(std::clamp(nearest(a, b, outline.at(parameter)), 0.0, 1.0));
+  }
+  if (!touches_any) return false;
+  std::sort(t.begin(), t.end());
+  for (std::size_t k = 0; k + 1 < t.size(); ++k) {
+    const Vec2 middle = a + 0.5 * (t[k] + t[k + 1]) * (b - a);
+    const auto holds = [&](const Outline& o) { return o.contains(middle); };
+    if (t[k + 1] - t[k] > 1e-9 && std::none_of(outlines.begin(), outlines.end(), holds)) return false;
+  }
+  return true;
+}
+
+}  // namespace fpi::fluid
