@@ -7,6 +7,7 @@
 
 #include "core/timer.hpp"
 #include "proto/host.hpp"
+#include "proto/interface_memory.hpp"
 #include "proto/participant.hpp"
 
 namespace fpi {
@@ -50,8 +51,15 @@ class RemoteFluid : public Remote<proto::FluidParticipant> {
  public:
   using Remote::Remote;
   proto::FluidAdvanced advance(const proto::Stamp& stamp, const proto::FluidAdvance& message) override {
-    return advance_remotely<proto::FluidAdvanced>(stamp, message);
+    return advance_remotely<proto::FluidAdvanced>(stamp, interfaces_.sent(message));
   }
+  proto::Accepted accept() override {
+    interfaces_.accept();
+    return Remote::accept();
+  }
+
+ private:
+  proto::InterfaceMemory interfaces_;
 };
 
 class RemoteDem : public Remote<proto::DemParticipant> {

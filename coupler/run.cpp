@@ -56,24 +56,44 @@ void Run::solve_steady() {
 }
 
 void Run::take_step() {
-  const Attempt attempt = converged_attempt();
+  const Attempt attempt = good_attempt();
   const double time = window_.end();
   const bool fields_due = window_.ends_at_output() || simulation_.steps() == 0;
   simulation_.accept();
-  window_.accept();
+  window_.accept(attempt.time_error);
   record(time, attempt, fields_due);
 }
 
-/// A step that does not converge is restored, halved and tried again.
-Attempt Run::converged_attempt() {
+/// A step that does not converge is restored, halved and tried again, one whose error in time is too large is
+/// made as small as that asks for.
+Attempt Run::good_attempt() {
   for (;;) {
     Attempt attempt = simulation_.attempt(window_.start(), window_.end(), window_.step());
-    if (attempt.converged) return attempt;
+    if (attempt.converged && is_fine_enough(attempt.time_error)) return attempt;
     simulation_.restore();
-    log::warning("step {} to t = {} s rejected: {}", simulation_.steps() + 1, window_.end(), attempt.reason);
-    if (!window_.halve()) give_up(attempt.reason);
+    if (!attempt.converged) {
+      log::warning("step {} to t = {} s rejected: {}", simulation_.steps() + 1, window_.end(),
+                   attempt.reason);
+      if (!window_.halve()) give_up(attempt.reason);
+    }
     log::info("trying again with a step of {} s", window_.step());
   }
+}
+
+bool Run::is_fine_enough(const coupling::TimeError& error) {
+  const double tried = window_.step();
+  const coupling::Verdict verdict = window_.judge(error);
+  if (verdict == coupling::Verdict::repeat)
+    log::info(
+        "step {} from t = {} s repeated: with {} s its error in time is {:.2g} (time.relative_tolerance = "
+        "{})",
+        simulation_.steps() + 1, window_.start(), tried, error.value, scene_.time.relative_tolerance);
+  if (verdict == coupling::Verdict::take_at_smallest && !std::exchange(told_of_smallest_step_, true))
+    log::warning(
+        "at t = {} s the smallest step, {} s (time.min_step), has an error in time of {:.2g}, above "
+        "time.relative_tolerance = {}: taken all the same, now and later",
+        window_.start(), tried, error.value, scene_.time.relative_tolerance);
+  return verdict != coupling::Verdict::repeat;
 }
 
 void Run::give_up(const std::string& reason) {

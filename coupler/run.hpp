@@ -48,7 +48,8 @@ class Run {
   std::function<void(const Standing&)> on_progress;
 
  private:
-  Attempt converged_attempt();
+  Attempt good_attempt();
+  bool is_fine_enough(const coupling::TimeError& error);
   void solve_steady();
   void take_step();
   [[noreturn]] void give_up(const std::string& reason);
@@ -67,7 +68,7 @@ class Run {
   Reported reported_;
   std::optional<Recorder> recorder_;
   std::optional<double> fields_time_;  ///< [s] of the last fields written
-  bool fluid_has_fields_ = true;
+  bool fluid_has_fields_ = true, told_of_smallest_step_ = false;
   std::uint32_t sub_iterations_ = 0;
 };
 

@@ -129,6 +129,7 @@ std::string Simulation::advance_fluid(const proto::Stamp& stamp) {
   }
   proto::FluidAdvanced answer = participants_.fluid->advance(stamp, message);
   report_.newton_iterations += answer.newton_iterations;
+  report_.time_error = {.value = answer.time_error, .order = answer.time_error_order};
   if (!answer.converged) return "the fluid did not converge: " + answer.reason;
   take_tractions(std::move(answer.tractions));
   return "";

@@ -14,6 +14,7 @@
 #include "coupling/prescribed_motion.hpp"
 #include "coupling/rigid_dofs.hpp"
 #include "coupling/staggered_iteration.hpp"
+#include "coupling/time_window.hpp"
 #include "proto/participant.hpp"
 #include "scene/scene.hpp"
 
@@ -47,6 +48,7 @@ struct CoupledState {
 struct Attempt : coupling::StepResult {
   std::uint32_t newton_iterations = 0;  ///< of all sub-iterations
   double largest_overlap = 0;           ///< [m] of grains
+  coupling::TimeError time_error;       ///< of the fluid
 };
 
 class Simulation {

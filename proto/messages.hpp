@@ -90,6 +90,7 @@ struct Interface {
   std::uint32_t points = 0;            ///< Gauss–Legendre points an arc or edge
   std::vector<double> velocities{};    ///< [m/s] x, y at these points, arc after arc
   std::size_t size() const { return radius > 0 ? start.size() : vertices.size() / 2; }
+  bool operator==(const Interface&) const = default;
 };
 struct FluidAdvance {
   double time = 0;       ///< [s] at the end of the step

@@ -3,9 +3,12 @@
 
 #include <sys/resource.h>
 
+#include <type_traits>
+
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "proto/codec.hpp"
+#include "proto/interface_memory.hpp"
 #include "proto/transport/link.hpp"
 
 namespace fpi::proto {
@@ -40,10 +43,14 @@ class Desk {
   Message serve(const Stamp& stamp, const Advance& advance) {
     require_configured("an advance");
     advanced_ = true;
-    return solver_.advance(stamp, advance);
+    if constexpr (std::is_same_v<Advance, FluidAdvance>)
+      return solver_.advance(stamp, interfaces_.received(advance));
+    else
+      return solver_.advance(stamp, advance);
   }
   Message serve(const Stamp&, const Accept&) {
     require(advanced_, "Accept must follow an advance; got it before any");
+    interfaces_.accept();
     return solver_.accept();
   }
   Message serve(const Stamp&, const Restore&) {
@@ -75,6 +82,7 @@ class Desk {
   }
 
   Solver& solver_;
+  InterfaceMemory interfaces_;  // of a fluid
   bool configured_ = false, advanced_ = false;
 };
 

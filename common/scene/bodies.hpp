@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/parameters.hpp"
-#include "scene/polygon.hpp"
+#include "core/polygon.hpp"
 
 namespace fpi::scene {
 

@@ -6,7 +6,8 @@
 namespace fpi::coupling {
 namespace {
 
-constexpr double tolerance = 1e-9;  ///< of a step or an interval, for what round-off leaves
+constexpr double round_off = 1e-9;  ///< of a step or an interval
+constexpr double safety = 0.9, most_growth = 2, least_change = 1.2, most_shrinkage = 5;
 
 }  // namespace
 
@@ -14,6 +15,9 @@ TimeWindow::TimeWindow(const scene::Time& time, double output_interval)
     : nominal_(time.step),
       end_(time.end),
       interval_(output_interval),
+      tolerance_(time.relative_tolerance),
+      smallest_(time.min_step > 0 ? time.min_step : 1e-3 * time.step),
+      largest_allowed_(time.max_step > 0 ? time.max_step : time.end),
       max_halvings_(static_cast<int>(time.max_halvings)),
       largest_(time.step) {
   plan(0);
@@ -22,45 +26,73 @@ TimeWindow::TimeWindow(const scene::Time& time, double output_interval)
 /// The first multiple of the interval beyond `from`, or the end where that comes before or at the same place.
 double TimeWindow::next_target(double from) const {
   if (interval_ <= 0) return end_;
-  const double target = (std::floor(from / interval_ + tolerance) + 1) * interval_;
-  return target < end_ - tolerance * interval_ ? target : end_;
+  const double target = (std::floor(from / interval_ + round_off) + 1) * interval_;
+  return target < end_ - round_off * interval_ ? target : end_;
 }
 
 void TimeWindow::plan(double from) {
   anchor_ = from;
   target_ = next_target(from);
   taken_ = 0;
-  const double way = target_ - from, steps = std::ceil(way / largest_ - tolerance);
+  const double way = target_ - from, steps = std::ceil(way / largest_ - round_off);
   count_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
   const double equal = way / static_cast<double>(count_);
   // Where the step divides the way, it keeps its bits, so that factors of matrices that contain it keep as
   // well.
-  step_ = std::abs(equal - largest_) <= tolerance * largest_ ? largest_ : equal;
+  step_ = std::abs(equal - largest_) <= round_off * largest_ ? largest_ : equal;
 }
 
 std::int64_t TimeWindow::steps_left() const {
   const double after_target = std::max(0.0, end_ - target_);
-  return count_ - taken_ + static_cast<std::int64_t>(std::ceil(after_target / largest_ - tolerance));
+  return count_ - taken_ + static_cast<std::int64_t>(std::ceil(after_target / largest_ - round_off));
 }
 
-void TimeWindow::accept() {
+double TimeWindow::wanted_step(const TimeError& error) const {
+  const double factor = safety * std::pow(tolerance_ / error.value, 1 / error.order);
+  const double step = step_ * std::clamp(factor, 1 / most_shrinkage, most_growth);
+  return std::clamp(step, smallest_, largest_allowed_);
+}
+
+Verdict TimeWindow::judge(const TimeError& error) {
+  if (tolerance_ == 0 || error.order <= 0 || error.value <= 2 * tolerance_) return Verdict::take;
+  if (step_ <= smallest_ * (1 + round_off)) return Verdict::take_at_smallest;
+  largest_ = std::min(wanted_step(error), 0.5 * step_);
+  largest_ = std::max(largest_, smallest_);
+  plan(start());
+  return Verdict::repeat;
+}
+
+/// True where a halving has been made good by enough accepted steps.
+bool TimeWindow::count_success() {
+  if (halvings_ == 0 || ++successes_ < successes_to_regrow) return false;
+  --halvings_;
+  successes_ = 0;
+  return true;
+}
+
+void TimeWindow::accept(const TimeError& error) {
   ++taken_;
-  const double now = start();
-  const bool regrows = halvings_ > 0 && ++successes_ >= successes_to_regrow;
-  if (regrows) {
-    --halvings_;
-    successes_ = 0;
-    largest_ = halvings_ == 0 ? nominal_ : std::min(nominal_, 2 * largest_);
+  const double before = largest_, now = start();
+  const bool regrows = count_success();
+  if (tolerance_ == 0) {
+    if (regrows) largest_ = halvings_ == 0 ? nominal_ : std::min(nominal_, 2 * largest_);
+  } else if (error.value > 0 && error.order > 0) {
+    const double wanted = wanted_step(error);
+    const bool grows = wanted > least_change * largest_ && halvings_ == 0;
+    if (grows || wanted < largest_ / least_change) largest_ = wanted;
   }
-  if ((regrows || taken_ == count_) && now < end_) plan(now);
+  if ((largest_ != before || taken_ == count_) && now < end_) plan(now);
 }
 
 bool TimeWindow::halve() {
   if (halvings_ >= max_halvings_) return false;
   ++halvings_;
   successes_ = 0;
-  // Halves of the nominal step only, or repeated regrowth would let the step drift.
-  for (largest_ = nominal_; largest_ > 0.75 * step_;) largest_ /= 2;
+  if (tolerance_ > 0) {
+    largest_ = 0.5 * step_;
+  } else {  // halves of the nominal step only, or repeated regrowth would let the step drift
+    for (largest_ = nominal_; largest_ > 0.75 * step_;) largest_ /= 2;
+  }
   plan(start());
   return true;
 }

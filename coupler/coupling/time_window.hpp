@@ -1,5 +1,6 @@
-/// All arithmetic of time: the size of the next step, what happens to it when a step fails or succeeds, and
-/// how the end and the output times are hit to the bit without a tiny step before them.
+/// All arithmetic of time: the size of the next step, what happens to it when a step fails, succeeds or has
+/// too large an error, and how the end and the output times are hit to the bit without a tiny step before
+/// them.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +11,19 @@
 
 namespace fpi::coupling {
 
+/// Estimate of a step's error in time.
+struct TimeError {
+  double value = 0;  ///< over the velocity; 0: not said
+  double order = 0;  ///< power of Δt that it goes with
+};
+
+/// What is to be done with a step that converged.
+enum class Verdict { take, repeat, take_at_smallest };
+
 /// The way to the next output time (or the end) is divided into equal steps, none larger than the step in
-/// force.
+/// force. That is `time.step`, or, with a tolerance, what the errors of the steps ask for: Δt
+/// (tolerance/error) to the power 1/order, times 0.9; at most twice the last step, kept where it would change
+/// by less than 20 % (so that factors of matrices keep as well).
 class TimeWindow {
  public:
   static constexpr int successes_to_regrow = 5;  ///< accepted steps before a halved step is doubled again
@@ -26,8 +38,11 @@ class TimeWindow {
   bool ends_at_output() const { return taken_ + 1 == count_; }
   std::int64_t steps_left() const;  ///< an estimate
 
+  /// Whether the step may be accepted. Where its error is more than twice the tolerance it is to be repeated,
+  /// and is smaller now, unless it is the smallest already.
+  Verdict judge(const TimeError& error);
   /// The step was accepted.
-  void accept();
+  void accept(const TimeError& error = {});
   /// The step did not converge: it is halved. False where it was halved as often as allowed.
   bool halve();
 
@@ -36,12 +51,15 @@ class TimeWindow {
 
  private:
   void plan(double from);
+  double wanted_step(const TimeError& error) const;
+  bool count_success();
   double next_target(double from) const;
   double time_after(std::int64_t steps) const {
     return steps == count_ ? target_ : anchor_ + static_cast<double>(steps) * step_;
   }
 
   double nominal_, end_, interval_;
+  double tolerance_, smallest_, largest_allowed_;  ///< 0: fixed steps; [s]; [s]
   int max_halvings_;
   double largest_;     ///< [s] step in force
   int halvings_ = 0;   ///< that are in force

@@ -30,6 +30,7 @@ class FakeFluid : public proto::FluidParticipant {
  public:
   double drag = 2, added_mass = 3, buoyancy = 0.5, arc_length = 0.2;
   double largest_step = 1e9;  ///< [s] larger ones do not converge
+  double stiffness = 0;       ///< [1/s³] error in time over Δt³; 0: it says none
   std::size_t missing_tractions = 0;
   bool has_fields = true;
 
@@ -51,7 +52,9 @@ class FakeFluid : public proto::FluidParticipant {
     proto::FluidAdvanced answer{.converged = message.time_step <= largest_step,
                                 .reason = "the step is too large",
                                 .tractions = {},
-                                .newton_iterations = 2};
+                                .newton_iterations = 2,
+                                .time_error = stiffness * std::pow(message.time_step, 3),
+                                .time_error_order = stiffness > 0 ? 3.0 : 0.0};
     tried_.clear();
     for (const proto::Interface& body : message.interfaces) {
       const double v = body.translation[1], before = velocities_[body.body];

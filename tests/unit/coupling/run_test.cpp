@@ -126,6 +126,32 @@ TEST_F(RunTest, prescribed_and_fixed_bodies_take_one_exchange_a_step_and_move_by
   EXPECT_EQ(last.interfaces[1].centre, (proto::Vec3{0, 3, 0}));
 }
 
+TEST_F(RunTest, steps_whose_error_in_time_is_too_large_are_restored_and_repeated_smaller) {
+  scene::Scene scene = make_scene({disc("post", "fixed")});
+  scene.time.relative_tolerance = 1e-3;
+  fluid.stiffness = 1000;  // the tolerance is met at 0.01 s; the first step has 0.1 s
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_GT(fluid.restores, 0u);
+  EXPECT_EQ(fluid.asked.size(), fluid.accepts + fluid.restores);
+  EXPECT_DOUBLE_EQ(fluid.asked.back().time, 1.2);
+  for (std::size_t k = fluid.restores; k < fluid.asked.size(); ++k)
+    EXPECT_NEAR(fluid.asked[k].time_step, 0.009, 0.0012);
+}
+
+TEST_F(RunTest, the_smallest_step_is_taken_whatever_its_error) {
+  scene::Scene scene = make_scene({disc("post", "fixed")});
+  scene.time.relative_tolerance = 1e-3;
+  scene.time.min_step = 0.05;
+  fluid.stiffness = 1e6;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_EQ(fluid.restores, 1u);
+  EXPECT_EQ(fluid.accepts, 24u);
+}
+
 TEST_F(RunTest, a_dry_scene_falls_freely_without_loads) {
   scene::Scene scene = make_scene({disc("ball", "free")});
   scene.fluid.reset();

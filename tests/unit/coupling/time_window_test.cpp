@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace fpi::coupling {
@@ -114,6 +115,130 @@ TEST(TimeWindow, repeated_halving_and_regrowth_does_not_let_the_step_drift) {
     EXPECT_NEAR(window.step(), 0.05, 0.0005);
     for (int k = 0; k < TimeWindow::successes_to_regrow; ++k) window.accept();
   }
+}
+
+scene::Time adaptive(double tolerance, double first, double end, double smallest = 0, double largest = 0) {
+  scene::Time time = of(first, end);
+  time.relative_tolerance = tolerance;
+  time.min_step = smallest;
+  time.max_step = largest;
+  return time;
+}
+
+struct Marched {
+  std::vector<double> starts, steps;
+  std::size_t repeats = 0;
+};
+/// Steps whose error is stiffness(t) Δt³.
+template <class Stiffness>
+Marched march(TimeWindow& window, Stiffness stiffness) {
+  Marched marched;
+  while (!window.done()) {
+    const double step = window.step();
+    const TimeError error{stiffness(window.start()) * step * step * step, 3};
+    if (window.judge(error) == Verdict::repeat) {
+      ++marched.repeats;
+      EXPECT_LT(window.step(), step);
+      continue;
+    }
+    marched.starts.push_back(window.start());
+    marched.steps.push_back(step);
+    window.accept(error);
+  }
+  return marched;
+}
+
+TEST(AdaptiveSteps, go_to_the_size_that_the_tolerance_asks_for_and_stay) {
+  TimeWindow window(adaptive(1e-3, 1e-3, 10), 0);
+  const Marched marched = march(window, [](double) { return 1.0; });  // error = tolerance at 0.1
+  EXPECT_EQ(window.start(), 10);
+  EXPECT_EQ(marched.repeats, 0u);
+  const std::vector<double> last(marched.steps.end() - 50, marched.steps.end());
+  EXPECT_EQ(std::set(last.begin(), last.end()).size(), 1u);
+  EXPECT_GT(last[0], 0.09 / 1.2);
+  EXPECT_LT(last[0], 0.1);
+  for (std::size_t k = 1; k < marched.steps.size(); ++k)
+    EXPECT_LE(marched.steps[k], 2 * marched.steps[k - 1] * (1 + 1e-12));
+}
+
+TEST(AdaptiveSteps, follow_a_signal_that_is_stiff_first_and_slow_then) {
+  TimeWindow window(adaptive(1e-3, 0.1, 20), 0);
+  const auto stiffness = [](double t) { return 1 + 1e6 * std::exp(-4 * t); };
+  const Marched marched = march(window, stiffness);
+  EXPECT_GT(marched.repeats, 0u);
+  for (std::size_t k = 0; k < marched.steps.size(); ++k) {
+    const double error = stiffness(marched.starts[k]) * std::pow(marched.steps[k], 3);
+    EXPECT_LE(error, 2e-3);
+    if (marched.starts[k] > 0.5 && marched.starts[k] < 19) EXPECT_GT(error, 1e-3 / 16) << marched.starts[k];
+  }
+  EXPECT_LT(marched.steps.front(), 0.002);
+  EXPECT_GT(marched.steps.back(), 0.07);
+}
+
+TEST(AdaptiveSteps, hit_output_times_and_the_end_to_the_bit) {
+  TimeWindow window(adaptive(1e-3, 0.01, 1), 0.1);
+  std::vector<double> outputs;
+  while (!window.done()) {
+    const TimeError error{3 * std::pow(window.step(), 2), 2};
+    if (window.judge(error) == Verdict::repeat) continue;
+    if (window.ends_at_output()) outputs.push_back(window.end());
+    window.accept(error);
+  }
+  ASSERT_EQ(outputs.size(), 10u);
+  for (int k = 1; k < 10; ++k) EXPECT_EQ(outputs[static_cast<std::size_t>(k) - 1], k * 0.1);
+  EXPECT_EQ(outputs.back(), 1);
+}
+
+TEST(AdaptiveSteps, stay_between_the_smallest_and_the_largest) {
+  TimeWindow window(adaptive(1e-3, 0.05, 2, 0.01, 0.08), 0);
+  EXPECT_EQ(window.judge({1, 3}), Verdict::repeat);
+  EXPECT_NEAR(window.step(), 0.01, 1e-12);
+  EXPECT_EQ(window.judge({1, 3}), Verdict::take_at_smallest);
+  window.accept({1, 3});
+  EXPECT_NEAR(window.step(), 0.01, 1e-4);
+  for (int k = 0; k < 8; ++k) window.accept({1e-9, 3});
+  EXPECT_LE(window.step(), 0.08);
+  EXPECT_GT(window.step(), 0.07);
+}
+
+TEST(AdaptiveSteps, an_error_up_to_twice_the_tolerance_is_taken_and_the_next_step_smaller) {
+  TimeWindow window(adaptive(1e-3, 0.1, 10), 0);
+  EXPECT_EQ(window.judge({1.9e-3, 3}), Verdict::take);
+  window.accept({1.9e-3, 3});
+  EXPECT_LT(window.step(), 0.08);
+  EXPECT_EQ(window.judge({2.1e-3, 3}), Verdict::repeat);
+}
+
+TEST(AdaptiveSteps, keep_their_size_where_no_error_is_said_or_none_is_asked_for) {
+  TimeWindow silent(adaptive(1e-3, 0.1, 1), 0), fixed(of(0.1, 1), 0);
+  const TimeError large{1, 3};
+  EXPECT_EQ(silent.judge({}), Verdict::take);
+  EXPECT_EQ(fixed.judge(large), Verdict::take);
+  silent.accept({});
+  fixed.accept(large);
+  EXPECT_EQ(silent.step(), 0.1);
+  EXPECT_EQ(fixed.step(), 0.1);
+}
+
+TEST(AdaptiveSteps, a_step_that_does_not_converge_is_halved_and_grows_back_only_after_successes) {
+  TimeWindow window(adaptive(1e-3, 0.1, 10), 0);
+  EXPECT_TRUE(window.halve());
+  const double halved = window.step();
+  EXPECT_NEAR(halved, 0.05, 1e-3);
+  for (int k = 1; k < TimeWindow::successes_to_regrow; ++k) {
+    window.accept({1e-6, 3});
+    EXPECT_EQ(window.step(), halved);
+  }
+  window.accept({1e-6, 3});
+  EXPECT_GT(window.step(), 1.5 * halved);
+}
+
+TEST(AdaptiveSteps, state_continues_to_the_bit) {
+  TimeWindow window(adaptive(1e-3, 0.01, 5), 0.7), other = window;
+  const auto stiffness = [](double t) { return 1 + 50 * std::sin(t) * std::sin(t); };
+  for (int k = 0; k < 20; ++k) window.accept({stiffness(window.start()) * std::pow(window.step(), 3), 3});
+  other.set_state(window.state());
+  EXPECT_EQ(march(window, stiffness).steps, march(other, stiffness).steps);
 }
 
 TEST(TimeWindow, counts_the_steps_that_are_left) {

@@ -1,11 +1,11 @@
-#include "scene/polygon.hpp"
+#include "core/polygon.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace fpi::scene {
+namespace fpi {
 namespace {
 
 struct Point {
@@ -69,4 +69,4 @@ std::string polygon_problem(const std::vector<double>& v) {
   return signed_area(v) == 0 ? "must enclose an area" : "";
 }
 
-}  // namespace fpi::scene
+}  // namespace fpi

@@ -1,5 +1,5 @@
 /// Polygons in a scene: what they enclose, and what is refused.
-#include "scene/polygon.hpp"
+#include "core/polygon.hpp"
 
 #include <gtest/gtest.h>
 

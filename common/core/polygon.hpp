@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace fpi::scene {
+namespace fpi {
 
 /// Shoelace formula [m²]; positive where the vertices go counter-clockwise.
 double signed_area(const std::vector<double>& vertices);
@@ -14,4 +14,4 @@ std::vector<double> counter_clockwise(std::vector<double> vertices);
 /// "", or what a closed simple polygon must be and this one is not, naming the vertices (from 0).
 std::string polygon_problem(const std::vector<double>& vertices);
 
-}  // namespace fpi::scene
+}  // namespace fpi
