@@ -121,8 +121,15 @@ void Recorder::record_interface(double time, const CoupledState& state) {
   for (std::uint32_t i = 0; i < state.arcs.size(); ++i) {
     const coupling::Arcs& arcs = state.arcs[i];
     all.body.insert(all.body.end(), arcs.size(), i);
-    all.start.insert(all.start.end(), arcs.start.begin(), arcs.start.end());
-    all.end.insert(all.end.end(), arcs.end.begin(), arcs.end.end());
+    const auto angle = [&arcs](const std::vector<double>& angles, std::size_t a) {
+      return angles.empty() ? std::nan("") : angles[a];
+    };
+    for (std::size_t a = 0; a < arcs.size(); ++a) {
+      const Eigen::Vector2d middle = arcs.centre.head<2>() + arcs.from_centre(a, 0.5);
+      all.start.push_back(angle(arcs.start, a));
+      all.end.push_back(angle(arcs.end, a));
+      all.middle.insert(all.middle.end(), {middle.x(), middle.y()});
+    }
     all.traction.insert(all.traction.end(), state.tractions[i].values.begin(),
                         state.tractions[i].values.end());
     all.centre.insert(all.centre.end(), {arcs.centre.x(), arcs.centre.y()});

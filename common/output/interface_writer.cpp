@@ -9,6 +9,7 @@ void InterfaceWriter::write(double time, const InterfaceArrays& arrays) {
   file.write(group + "/body", arrays.body, {n_arcs});
   file.write(group + "/start", arrays.start, {n_arcs});
   file.write(group + "/end", arrays.end, {n_arcs});
+  file.write(group + "/middle", arrays.middle, {n_arcs, 2});
   file.write(group + "/traction", arrays.traction, {n_arcs, 2});
   file.write(group + "/centre", arrays.centre, {n_bodies, 2});
   series_.flush();

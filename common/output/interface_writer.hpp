@@ -1,4 +1,4 @@
-/// interface.h5: the multipliers on the arcs of every body at every written step.
+/// interface.h5: the multipliers on the arcs or edges of every body at every written step.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,11 @@
 
 namespace fpi::output {
 
-/// All arcs of all bodies, one after another.
+/// All arcs (or edges) of all bodies, one after another.
 struct InterfaceArrays {
   std::vector<std::uint32_t> body;  ///< of each arc
-  std::vector<double> start, end;   ///< [rad] of each arc
+  std::vector<double> start, end;   ///< [rad] of each arc; NaN of edges
+  std::vector<double> middle;       ///< [m] x, y of each arc
   std::vector<double> traction;     ///< [Pa] x, y of each arc
   std::vector<double> centre;       ///< [m] x, y of each body
 };

@@ -127,21 +127,23 @@ bool Boundary::traction_depends_on_time() const {
   });
 }
 
-void Boundary::add_tractions(double t, Vector& load) const {
+void Boundary::add_tractions(double t, std::span<const Outline> bodies, Vector& load) const {
   for (const BoundaryEdge& b : mesh_.boundary) {
     const Part& part = parts_[b.boundary];
     if (part.type != Type::traction || (part.x.is_zero() && part.y.is_zero())) continue;
     const auto nodes = mesh_.edge_nodes(b);
     const EdgeNodes edge = mesh_.places(nodes);
-    for (const LinePoint& point : gauss_legendre(4)) {
-      const Vec2 x = edge_point(edge, point.s);
-      const Vec2 traction(part.x(x.x(), x.y(), t), part.y(x.x(), x.y(), t));
-      const double length = edge_tangent(edge, point.s).norm();
-      const Padded n = p2_at({1 - point.s, point.s, 0});
-      const std::array<double, 3> values{n[0], n[1], n[3]};
-      for (int i = 0; i < 3; ++i)
-        load.segment<2>(2 * nodes[i]) += point.weight * length * values[i] * traction;
-    }
+    const Vec2 &from = mesh_.vertices[nodes[0]], &to = mesh_.vertices[nodes[1]];
+    for (const auto& [start, end] : uncovered(from, to, bodies))
+      for (const LinePoint& point : gauss_legendre(4)) {
+        const double s = start + point.s * (end - start);
+        const Vec2 x = edge_point(edge, s);
+        const Vec2 traction(part.x(x.x(), x.y(), t), part.y(x.x(), x.y(), t));
+        const double weight = point.weight * (end - start) * edge_tangent(edge, s).norm();
+        const Padded n = p2_at({1 - s, s, 0});
+        const std::array<double, 3> values{n[0], n[1], n[3]};
+        for (int i = 0; i < 3; ++i) load.segment<2>(2 * nodes[i]) += weight * values[i] * traction;
+      }
   }
 }
 

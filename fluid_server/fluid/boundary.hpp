@@ -8,6 +8,7 @@
 
 #include "core/expression.hpp"
 #include "fluid/mesh.hpp"
+#include "fluid/outline.hpp"
 #include "scene/fluid.hpp"
 
 namespace fpi::fluid {
@@ -26,8 +27,8 @@ class Boundary {
 
   /// Sets the given velocities at time t [s] in u (x, y of each node) [m/s].
   void impose(double t, Vector& u) const;
-  /// Adds ∫ w·t̄ over the traction parts at time t [s] to `load` [N/m].
-  void add_tractions(double t, Vector& load) const;
+  /// Adds ∫ w·t̄ over what bodies leave of the traction parts at time t [s] to `load` [N/m].
+  void add_tractions(double t, std::span<const Outline> bodies, Vector& load) const;
   bool traction_depends_on_time() const;
 
   /// Throws Error where fluid flows in or out (more than 1 % net) although no part is open: nowhere for it to

@@ -22,7 +22,7 @@ class Components {
 
 /// True where bodies cover the whole edge, so that no fluid passes.
 bool is_blocked(const Mesh& mesh, Index edge, std::span<const Outline> outlines) {
-  return covered(mesh.vertices[mesh.edges[edge][0]], mesh.vertices[mesh.edges[edge][1]], outlines);
+  return uncovered(mesh.vertices[mesh.edges[edge][0]], mesh.vertices[mesh.edges[edge][1]], outlines).empty();
 }
 
 /// One vertex of each fluid component that has no open boundary: its pressure is pinned.
@@ -68,9 +68,7 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
     for (Index node : mesh.cell_nodes(c)) out.node_is_active[node] = 1;
     for (Index v : mesh.cells[c]) out.pressure[v] = wanted;
   }
-  std::vector<Outline> outlines;
-  for (const Interface& interface : interfaces) outlines.push_back(interface.outline);
-  out.pinned = pinned_vertices(mesh, boundary, cut, outlines);
+  out.pinned = pinned_vertices(mesh, boundary, cut, outlines(interfaces));
   for (Index v : out.pinned) out.pressure[v] = absent;
   for (std::size_t i = 0; i < interfaces.size(); ++i)
     for (Index a = 0; a < interfaces[i].n_arcs(); ++a) {

@@ -24,27 +24,28 @@ void Outline::add_crossings(const Outline& other, std::vector<double>& parameter
   }
 }
 
-bool covered(const Vec2& a, const Vec2& b, std::span<const Outline> outlines) {
-  std::vector<double> met, t{0, 1};
+std::vector<Stretch> uncovered(const Vec2& a, const Vec2& b, std::span<const Outline> outlines) {
   const Vec2 low = a.cwiseMin(b), high = a.cwiseMax(b);
-  bool touches_any = false;
+  std::vector<const Outline*> near;
+  std::vector<double> met, t{0, 1};
   for (const Outline& outline : outlines) {
     if ((outline.lower().array() > high.array()).any() || (outline.upper().array() < low.array()).any())
       continue;
-    touches_any = true;
+    near.push_back(&outline);
     met.clear();
     outline.add_crossings(a, b, met);
     for (const double parameter : met)
       t.push_back(std::clamp(nearest(a, b, outline.at(parameter)), 0.0, 1.0));
   }
-  if (!touches_any) return false;
   std::sort(t.begin(), t.end());
+  std::vector<Stretch> out;
   for (std::size_t k = 0; k + 1 < t.size(); ++k) {
     const Vec2 middle = a + 0.5 * (t[k] + t[k + 1]) * (b - a);
-    const auto holds = [&](const Outline& o) { return o.contains(middle); };
-    if (t[k + 1] - t[k] > 1e-9 && std::none_of(outlines.begin(), outlines.end(), holds)) return false;
+    const bool free =
+        std::none_of(near.begin(), near.end(), [&](const Outline* o) { return o->contains(middle); });
+    if (free && t[k + 1] - t[k] > 1e-9) out.push_back({t[k], t[k + 1]});
   }
-  return true;
+  return out;
 }
 
 }  // namespace fpi::fluid

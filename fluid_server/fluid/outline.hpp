@@ -77,7 +77,11 @@ class Outline {
   std::variant<Disc, Polygon> shape_;
 };
 
-/// True where the outlines together cover the segment from a to b (to 1e-9 of its length).
-bool covered(const Vec2& a, const Vec2& b, std::span<const Outline> outlines);
+/// Parameters of a stretch of the segment a + t (b − a).
+struct Stretch {
+  double start, end;
+};
+/// What bodies leave of a segment: the stretches of it outside all outlines, longer than 1e-9 of it.
+std::vector<Stretch> uncovered(const Vec2& a, const Vec2& b, std::span<const Outline> outlines);
 
 }  // namespace fpi::fluid

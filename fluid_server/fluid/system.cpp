@@ -171,7 +171,7 @@ void System::set_load(double t, const std::array<Expression, 2>& body_force) {
                        body_force[1].depends_on_time();
   if (std::exchange(has_load_, true) && !changes) return;
   load_.setZero();
-  space_.boundary.add_tractions(t, load_);
+  space_.boundary.add_tractions(t, outlines(interfaces_), load_);
   if (body_force[0].is_zero() && body_force[1].is_zero()) return;
   for (std::size_t k = 0; k < active_cells_.size(); ++k) {
     const Index c = active_cells_[k];

@@ -54,7 +54,7 @@ TEST(Boundary, tractions_add_up_to_their_integral) {
                                  {"bottom", condition("no_slip")},
                                  {"top", condition("no_slip")}});
   Vector load = Vector::Zero(2 * mesh.n_nodes());
-  boundary.add_tractions(5, load);
+  boundary.add_tractions(5, {}, load);
   double x = 0, y = 0;
   for (Index n = 0; n < mesh.n_nodes(); ++n) {
     x += load[2 * n];

@@ -128,7 +128,7 @@ TEST(Curved, a_pressure_on_a_closed_curve_has_no_resultant) {
   const Boundary boundary(mesh,
                           {{"inner", condition("no_slip")}, {"outer", condition("traction", {"x", "y"})}});
   Vector load = Vector::Zero(2 * mesh.n_nodes());
-  boundary.add_tractions(0, load);
+  boundary.add_tractions(0, {}, load);
   double x = 0, radial = 0;
   for (Index n = 0; n < mesh.n_nodes(); ++n) {
     x += load[2 * n];

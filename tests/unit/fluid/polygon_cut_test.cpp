@@ -175,12 +175,16 @@ TEST(PolygonCut, an_outline_the_wrong_way_round_or_without_corners_is_refused) {
   EXPECT_THROW(outline_of({{0, 0}, {1, 0}, {2, 0}}), Error);
 }
 
-TEST(Covered, is_a_segment_that_bodies_hold_together) {
+TEST(Uncovered, is_what_bodies_leave_of_a_segment) {
   const std::vector<Outline> bodies{Disc{{0, 0}, 0.5}, Polygon{{{0.4, -1}, {2, -1}, {2, 1}, {0.4, 1}}}};
-  EXPECT_TRUE(covered({-0.4, 0}, {1.9, 0.1}, bodies));
-  EXPECT_FALSE(covered({-0.4, 0}, {2.1, 0}, bodies));
-  EXPECT_FALSE(covered({0, 0.45}, {1, 0.45}, bodies));
-  EXPECT_FALSE(covered({5, 5}, {6, 6}, bodies));
+  EXPECT_TRUE(uncovered({-0.4, 0}, {1.9, 0.1}, bodies).empty());
+  EXPECT_EQ(uncovered({5, 5}, {6, 6}, bodies).size(), 1u);
+  const auto left = uncovered({-1, 0}, {3, 0}, bodies);
+  ASSERT_EQ(left.size(), 2u);
+  EXPECT_NEAR(left[0].start, 0, 0);
+  EXPECT_NEAR(left[0].end, 0.125, 1e-15);
+  EXPECT_NEAR(left[1].start, 0.75, 1e-15);
+  EXPECT_NEAR(left[1].end, 1, 0);
 }
 
 }  // namespace

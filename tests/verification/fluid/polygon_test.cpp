@@ -94,6 +94,23 @@ TEST(Polygons, still_fluid_stays_still_and_a_polygon_feels_its_buoyancy_where_it
   }
 }
 
+TEST(Polygons, pressure_pushes_only_where_no_body_covers_the_boundary) {
+  // Poiseuille flow above a slab, driven by the pressure at the left; the slab covers part of both ends.
+  const double mu = 0.3, floor = 0.2371, pressure = 2;
+  auto s = settings(1, mu,
+                    {{"left", open(fmt::format("{}", pressure), "0")},
+                     {"right", open()},
+                     {"bottom", no_slip()},
+                     {"top", no_slip()}});
+  s.fluid.viscous_form = "gradient";
+  NavierStokes solver(square(10), s);
+  const Result result = solve_steady(solver, {polygon({0.5, 0}, box(-1, -0.4, 1, floor), 0.1)});
+  ASSERT_TRUE(result.newton.converged) << result.newton.reason;
+  const double gap = 1 - floor, y = 0.6;
+  EXPECT_NEAR(solver.at({0.5, y})->first.x(), pressure / (2 * mu) * (y - floor) * (1 - y), 1e-4);
+  EXPECT_NEAR(result.tractions[0].force.x(), pressure * gap / 2, 1e-3);
+}
+
 /// Steady torque of a square that spins in a closed box, in Stokes flow: at each angle it is another cut.
 TEST(Polygons, torque_of_a_turning_square_changes_smoothly_over_its_angles) {
   auto s = settings(1, 0.5,
