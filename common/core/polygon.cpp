@@ -61,11 +61,12 @@ std::string polygon_problem(const std::vector<double>& v) {
       return fmt::format("must not repeat a vertex: {} and {} are the same", i, (i + 1) % n);
     if (folds_back(a, b, c))
       return fmt::format("must not fold back on itself, as it does at vertex {}", (i + 1) % n);
+  }
+  for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = i + 2; k < n && k < i + n - 1; ++k)
-      if (meet(a, b, vertex(v, k), vertex(v, k + 1)))
+      if (meet(vertex(v, i), vertex(v, i + 1), vertex(v, k), vertex(v, k + 1)))
         return fmt::format("must not cross or touch itself: the sides from vertex {} and from vertex {} meet",
                            i, k);
-  }
   return signed_area(v) == 0 ? "must enclose an area" : "";
 }
 

@@ -169,7 +169,9 @@ TEST(AdaptiveSteps, follow_a_signal_that_is_stiff_first_and_slow_then) {
   for (std::size_t k = 0; k < marched.steps.size(); ++k) {
     const double error = stiffness(marched.starts[k]) * std::pow(marched.steps[k], 3);
     EXPECT_LE(error, 2e-3);
-    if (marched.starts[k] > 0.5 && marched.starts[k] < 19) EXPECT_GT(error, 1e-3 / 16) << marched.starts[k];
+    if (marched.starts[k] > 0.5 && marched.starts[k] < 19) {
+      EXPECT_GT(error, 1e-3 / 16) << marched.starts[k];
+    }
   }
   EXPECT_LT(marched.steps.front(), 0.002);
   EXPECT_GT(marched.steps.back(), 0.07);
