@@ -155,6 +155,25 @@ class Scenes(unittest.TestCase):
         self.assert_near(inner["torque"][2], TORQUE, 1e-4)
         self.assertLess(summary["errors"]["velocity_l2"], 1e-4)
 
+    def second_half_mean(self, column: str) -> float:
+        values = self.history()[column]
+        half = values[len(values) // 2:]
+        return sum(half) / len(half)
+
+    def test_step_embedded(self):
+        """Against a mesh that fits the step."""
+        self.assert_near(self.run_scene("step_embedded")["coefficients"]["drag"], 3.55, 5e-3)
+
+    def test_rotating_blade(self):
+        self.run_scene("rotating_blade")
+        self.assert_near(self.second_half_mean("blade.fx"), 0.69, 5e-2)
+        self.assert_near(self.second_half_mean("blade.torque"), -0.0245, 5e-2)
+
+    def test_drill(self):
+        self.run_scene("drill")
+        self.assert_near(self.second_half_mean("drill.fy"), 0.732, 2e-2)
+        self.assert_near(self.second_half_mean("drill.torque"), -0.0203, 2e-2)
+
     def test_dry_grains(self):
         bodies = {body["name"]: body for body in self.run_scene("dry_grains")["bodies"]}
         self.assertFalse((self.run_folder / "fluid_server.log").exists(), "dry: no fluid_server")
