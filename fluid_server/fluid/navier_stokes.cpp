@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/log.hpp"
 #include "fluid/steady.hpp"
 
 namespace fpi::fluid {
@@ -82,9 +83,12 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   NewtonResult result;
   result.converged = true;
   if (!steady && !start_.has_acceleration && settings_.fluid.newmark_gamma < 1 && !settings_.bodies_move)
-    result = find_consistent_start(request, start_);
+    result = begin(request);
   if (steady) {
     time_terms_ = TimeTerms::steady(mesh.n_nodes());
+  } else if (start_.damped_steps > 0) {
+    gamma_ = Vector::Ones(mesh.n_nodes());
+    time_terms_ = newmark(start_.u, start_.acceleration, 0.5 * request.time_step, gamma_);
   } else {
     // Bodies that move start with backward Euler: their first acceleration is a result of the coupling.
     const double gamma = start_.has_acceleration ? settings_.fluid.newmark_gamma : 1;
@@ -105,6 +109,42 @@ Vector NavierStokes::guess(double time_step) const {
   if (!accepted_.has_acceleration) return start_.u;
   if (settings_.bodies_move) return start_.u + time_step * start_.acceleration;
   return predicted_velocity(start_, time_step);
+}
+
+/// γ < 1 starts from an acceleration. A velocity that meets the boundaries and is divergence-free has one; a
+/// sudden start first takes steps of two backward Euler halves, since what is stiff would ring for ever at γ
+/// = ½ (R. Rannacher, Numer. Math. 43, 1984). They have the matrix of a whole step at γ = ½.
+NewtonResult NavierStokes::begin(const Request& request) {
+  constexpr int damped_steps = 2;
+  constexpr double sudden = 0.1;  // part of the velocity that the boundaries change at once
+  if (start_.damped_steps > 0) return first_half_step(request);
+  State consistent = start_;
+  const NewtonResult result = find_consistent_start(request, consistent);
+  if (!result.converged) return result;
+  const bool is_sudden = (consistent.u - start_.u).norm() > sudden * consistent.u.norm();
+  if (start_.damped_steps < 0 && is_sudden) {
+    log::info("the velocity changes suddenly at t = {} s: {} damped steps come first", start_.time,
+              damped_steps);
+    start_.damped_steps = damped_steps;
+    return first_half_step(request);
+  }
+  start_ = std::move(consistent);
+  start_.damped_steps = 0;
+  return result;
+}
+
+NewtonResult NavierStokes::first_half_step(const Request& request) {
+  const double half = 0.5 * request.time_step;
+  const TimeTerms terms = newmark(start_.u, start_.acceleration, half, Vector::Ones(space_.mesh.n_nodes()));
+  Iterate iterate{{start_.u, start_.p, Vector::Zero(2 * system_->cut().n_multipliers())}, nullptr, 0};
+  if (system_ == accepted_system_) kept_.lend(iterate, terms.inertia, flow_.convection == 0);
+  system_->set_velocities(request.interfaces);
+  system_->set_load(request.time - half, body_force_);
+  space_.boundary.impose(request.time - half, iterate.fields.u);
+  const NewtonResult result = solve(*system_, flow_, terms, settings_.fluid.newton, iterate, monitor);
+  start_.u = iterate.fields.u;
+  start_.p = iterate.fields.p;
+  return result;
 }
 
 /// Two backward Euler steps of vanishing length: the first makes the velocity divergence-free and has it meet
@@ -178,7 +218,8 @@ void NavierStokes::accept() {
   accepted_.previous_acceleration = start_.acceleration;
   accepted_.previous_step = start_.has_acceleration ? last_->time_step : 0;
   accepted_.acceleration = time_terms_.acceleration(fields.u);
-  accepted_.has_acceleration = last_->time_step > 0;
+  accepted_.has_acceleration = last_->time_step > 0 && start_.damped_steps <= 0;
+  accepted_.damped_steps = start_.damped_steps > 0 ? start_.damped_steps - 1 : start_.damped_steps;
   accepted_.u = fields.u;
   accepted_.p = fields.p;
   accepted_interfaces_ = system_->interfaces();

@@ -85,7 +85,9 @@ class NavierStokes {
 
  private:
   NewtonResult start_step(const Request& request);
+  NewtonResult begin(const Request& request);
   NewtonResult find_consistent_start(const Request& request, State& start);
+  NewtonResult first_half_step(const Request& request);
   NewtonResult solve_step(const Request& request);
   Vector guess(double time_step) const;
   std::vector<BodyTraction> tractions() const;

@@ -29,6 +29,7 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   write.put(view(state.p));
   write.put(state.previous_step);
   write.put(view(state.previous_acceleration));
+  write.put(static_cast<std::int64_t>(state.damped_steps));
   return std::move(write.bytes);
 }
 
@@ -48,6 +49,7 @@ State from_bytes(std::span<const std::uint8_t> bytes, Index n_nodes, Index n_ver
   state.p = read_vector(read, n_vertices);
   state.previous_step = read.number();
   state.previous_acceleration = read_vector(read, 2 * n_nodes);
+  state.damped_steps = static_cast<int>(read.get<std::int64_t>());
   require(read.left() == 0, "the fluid's state has {} bytes too many: take another checkpoint", read.left());
   return state;
 }

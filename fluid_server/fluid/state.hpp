@@ -17,6 +17,7 @@ struct State {
   bool has_acceleration = false;
   double previous_step = 0;      ///< Δt of the step that led here [s]; 0: there is none, or none to build on
   Vector previous_acceleration;  ///< at its start [m/s²]
+  int damped_steps = -1;         ///< that a sudden start still takes; −1: not known before the first step
 };
 
 std::vector<std::uint8_t> to_bytes(const State& state);

@@ -85,6 +85,11 @@ void System::order_cells() {
   for (Index c = 0; c < mesh.n_cells(); ++c) {
     if (!cut_.is_active(c)) continue;
     const Kind whole = mesh.is_curved(c) ? curved : straight;
+    require(
+        cut_number[c] < 0 || whole == straight,
+        "a body may cut straight triangles only; one cuts the curved triangle at ({:.4g}, {:.4g}) m: keep "
+        "bodies away from curved boundaries, or make the mesh of first order there",
+        mesh.corners(c)[0].x(), mesh.corners(c)[0].y());
     const Kind kind = cut_number[c] >= 0 || has_slip_node(mesh.cell_nodes(c)) ? single : whole;
     cells[space_.stripes.of_cell[c]][kind].push_back(c);
   }

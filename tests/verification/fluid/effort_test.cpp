@@ -26,7 +26,7 @@ void march(NavierStokes& solver, double time_step, int first, int last,
 double counted(NavierStokes& solver, const char* what) { return solver.monitor.ledger.counts[what]; }
 
 TEST(Effort, a_hundred_steps_of_stokes_flow_take_one_factorisation_after_the_start) {
-  auto s = channel(1, "4*y*(1-y)*cos(t)");
+  auto s = channel(1, "4*y*(1-y)*sin(t)");
   s.fluid.convection = false;
   NavierStokes solver(square(12), s);
   const std::vector<Interface> disc{circle(0, {0.4, 0.5}, 0.15, 1.0 / 12)};
@@ -36,6 +36,16 @@ TEST(Effort, a_hundred_steps_of_stokes_flow_take_one_factorisation_after_the_sta
   EXPECT_EQ(counted(solver, "factorisations"), 2);
   EXPECT_EQ(counted(solver, "analyses"), 1);
   EXPECT_EQ(counted(solver, "newton_iterations"), 2 + 100);
+}
+
+TEST(Effort, a_sudden_start_costs_its_damped_steps_and_a_second_acceleration) {
+  auto s = channel(1);
+  s.fluid.convection = false;
+  NavierStokes solver(square(12), s);
+  march(solver, 0.01, 1, 3);
+  EXPECT_EQ(counted(solver, "factorisations"), 3);  // looking for an acceleration, the steps, looking again
+  march(solver, 0.01, 4, 50);
+  EXPECT_EQ(counted(solver, "factorisations"), 3);
 }
 
 TEST(Effort, a_flow_that_changes_slowly_keeps_its_factor_for_many_steps) {

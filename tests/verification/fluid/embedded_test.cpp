@@ -162,6 +162,22 @@ TEST(Embedded, interfaces_that_make_no_sense_are_refused_with_the_body) {
   EXPECT_FALSE(refused({good}));
 }
 
+TEST(Embedded, a_body_that_cuts_a_curved_triangle_is_refused_with_the_place) {
+  Mesh mesh = square(6);
+  const Index curved = mesh.boundary.front().edge;
+  mesh.middles[curved] += Vec2(-0.01, 0);  // on the left side
+  NavierStokes solver(
+      mesh,
+      settings(1, 1, {{"left", no_slip()}, {"right", no_slip()}, {"bottom", no_slip()}, {"top", no_slip()}}));
+  const Vec2 place = mesh.middles[curved];
+  try {
+    solver.advance({0.1, 0.1, 0, {circle(0, place, 0.12, 1.0 / 6)}});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("cuts the curved triangle at (0, "), std::string::npos) << e.what();
+  }
+}
+
 TEST(Embedded, a_moving_disc_keeps_its_force_quiet_and_finite) {
   auto s = settings(1, 0.02,
                     {{"left", no_slip()}, {"right", no_slip()}, {"bottom", no_slip()}, {"top", no_slip()}});
