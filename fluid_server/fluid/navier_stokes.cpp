@@ -98,6 +98,7 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   }
   system_->set_load(request.time, body_force_);
   base_.fields = {guess(request.time_step), start_.p, Vector::Zero(2 * system_->cut().n_multipliers())};
+  if (start_.damped_steps > 0) return result;  // with the factor of the first half
   base_.factor = nullptr;
   if (system_ == accepted_system_) kept_.lend(base_, time_terms_.inertia, flow_.convection == 0);
   return result;
@@ -136,7 +137,8 @@ NewtonResult NavierStokes::begin(const Request& request) {
 NewtonResult NavierStokes::first_half_step(const Request& request) {
   const double half = 0.5 * request.time_step;
   const TimeTerms terms = newmark(start_.u, start_.acceleration, half, Vector::Ones(space_.mesh.n_nodes()));
-  Iterate iterate{{start_.u, start_.p, Vector::Zero(2 * system_->cut().n_multipliers())}, nullptr, 0};
+  Iterate& iterate =
+      base_ = {{start_.u, start_.p, Vector::Zero(2 * system_->cut().n_multipliers())}, nullptr, 0};
   if (system_ == accepted_system_) kept_.lend(iterate, terms.inertia, flow_.convection == 0);
   system_->set_velocities(request.interfaces);
   system_->set_load(request.time - half, body_force_);

@@ -174,7 +174,7 @@ TEST(Embedded, a_body_that_cuts_a_curved_triangle_is_refused_with_the_place) {
     solver.advance({0.1, 0.1, 0, {circle(0, place, 0.12, 1.0 / 6)}});
     FAIL();
   } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("cuts the curved triangle at (0, "), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("cuts the curved triangle at ("), std::string::npos) << e.what();
   }
 }
 
