@@ -185,11 +185,11 @@ def do_bench(arguments) -> int:
 
 
 def do_paper(_arguments) -> int:
-    ensure_programs(quiet=False)
     packages.ensure()
+    build.build()
     from launcher import paper  # needs packages that set-up installs
 
-    paper.make(lambda scene, folder: main(["run", str(scenes.find(scene)), "--out", str(folder)]))
+    paper.make(lambda scene, folder: main(["run", str(scene), "--out", str(folder)]))
     return 0
 
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from PIL import Image
 
-from launcher import plot, report, results
-from launcher.common import ROOT, Refusal
+from launcher import plot, report, results, run, scenes
+from launcher.common import ROOT, Refusal, programs
 
 TEMPLATE = ROOT / "docs" / "paper.in.md"
 PAGE = ROOT / "docs" / "paper.md"
@@ -20,16 +20,15 @@ PICTURE = re.compile(r"\]\(paper/(\w+)/([\w.]+)\)")  # ](paper/scene/picture.png
 
 
 def make(run_scene, say=print) -> None:
-    """`run_scene(name, folder)` runs a scene of configs/ and returns its exit status; completed runs are kept."""
+    """`run_scene(path, folder)` runs a scene of configs/ and returns its exit status; runs of the same are kept."""
     template, summaries = TEMPLATE.read_text(), {}
     for scene in dict.fromkeys(found[1] for found in [*VALUE.finditer(template), *PICTURE.finditer(template)]):
-        folder = RUNS / scene
-        summaries[scene] = completed(folder)
-        if summaries[scene] is None:
+        folder, path = RUNS / scene, scenes.find(scene)
+        if not is_up_to_date(folder, path):
             shutil.rmtree(folder, ignore_errors=True)
-            if run_scene(scene, folder) != 0:
+            if run_scene(path, folder) != 0:
                 raise Refusal(f"the scene {scene} must reach its end; see {folder}")
-            summaries[scene] = completed(folder)
+        summaries[scene] = report.summary_of(folder)
         since = SETTLED if summaries[scene]["steps"] > 1 else 0.0
         summaries[scene]["largest_traction"] = results.largest_tractions(folder, since)
         say(f"{scene}: done, drawing")
@@ -41,10 +40,16 @@ def make(run_scene, say=print) -> None:
     PAGE.write_text(fill(template, summaries))
 
 
-def completed(folder: Path) -> dict | None:
-    """The summary of a run that reached its end."""
-    summary = report.summary_of(folder)
-    return summary if summary and summary["status"] == "completed" else None
+def is_up_to_date(folder: Path, scene: Path) -> bool:
+    """True where a run reached its end with the programs, the mesh and the scene as they are now."""
+    summary, as_run = report.summary_of(folder), folder / "scene.toml"
+    if summary is None or summary["status"] != "completed":
+        return False
+    if any(program.stat().st_mtime > as_run.stat().st_mtime for program in programs().iterdir()):
+        return False
+    if any(mesh.read_bytes() != (scene.parent / mesh.name).read_bytes() for mesh in folder.glob("*.msh")):
+        return False
+    return run.plan(as_run, [])["scene_fingerprint"] == run.plan(scene, [])["scene_fingerprint"]
 
 
 def fill(template: str, summaries: dict[str, dict]) -> str:

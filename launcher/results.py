@@ -204,13 +204,7 @@ def read_tractions(run: Path, bodies: Bodies | None) -> Tractions | None:
             return None
         moved = np.ptp(bodies.position, axis=0).any()
         group = max(groups, key=lambda one: np.linalg.norm(one["traction"][:], axis=1).mean()) if moved else groups[-1]
-        body = group["body"][:]
-        if "middle" in group:
-            at = group["middle"][:]
-        else:
-            angle = (group["start"][:] + group["end"][:]) / 2
-            at = group["centre"][:][body] + bodies.radius[body, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-        return Tractions(float(group.attrs["time"]), body, at, group["traction"][:])
+        return Tractions(float(group.attrs["time"]), group["body"][:], group["middle"][:], group["traction"][:])
 
 
 def read_profile_quantities(run: Path) -> dict[str, str]:

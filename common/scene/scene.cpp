@@ -17,7 +17,8 @@ void Scene::declare(ParameterVisitor& v) {
   v.real({"thickness", "m", "thickness of a plane scene; masses and forces are those of this slice"},
          thickness, positive());
   v.real({"hydraulic_radius_ratio", "",
-          "radius that the fluid sees over the contact radius; below 1 touching discs let fluid through"},
+          "radius that the fluid sees over the contact radius; below 1 touching discs let fluid "
+          "through; polygons keep their size"},
          hydraulic_radius_ratio, above_up_to(0, 1));
   v.table({"time", "", "the time steps", true}, time);
   v.table({"fluid", "", "the flow; without it the grains are dry and no fluid program is started"}, fluid);

@@ -1,8 +1,11 @@
 """The page of the paper's figures: values and pictures of runs put into its template."""
 
+import json
+import os
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 from PIL import Image
@@ -30,6 +33,54 @@ class Paper(unittest.TestCase):
             Image.fromarray(noise).save(source)
             paper.compress(source, target)
             self.assertLessEqual(target.stat().st_size, paper.LARGEST)
+
+
+class Runs(unittest.TestCase):
+    """A completed run, whose fingerprint is the text of its scene."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.configs, self.run_folder, self.bin = (Path(folder.name) / name for name in ("configs", "run", "bin"))
+        for path in (self.configs, self.run_folder, self.bin):
+            path.mkdir()
+        (self.bin / "coupler").touch()
+        os.utime(self.bin / "coupler", (1, 1))
+        for path in (self.configs, self.run_folder):
+            (path / "scene.toml").write_text("as shipped")
+            (path / "ring.msh").write_text("as shipped")
+        self.end("completed")
+        self.enterContext(mock.patch.dict(os.environ, {"FPI_BIN": str(self.bin)}))
+        self.enterContext(mock.patch.object(
+            paper.run, "plan", lambda scene, overrides: {"scene_fingerprint": hash(scene.read_text())}))
+
+    def end(self, status: str) -> None:
+        (self.run_folder / "summary.json").write_text(json.dumps({"status": status}))
+
+    def assert_up_to_date(self, expected: bool):
+        self.assertEqual(paper.is_up_to_date(self.run_folder, self.configs / "scene.toml"), expected)
+
+    def test_a_run_of_the_same_is_kept(self):
+        self.assert_up_to_date(True)
+
+    def test_a_run_of_another_scene_is_not(self):
+        (self.configs / "scene.toml").write_text("changed since")
+        self.assert_up_to_date(False)
+
+    def test_a_run_on_another_mesh_is_not(self):
+        (self.configs / "ring.msh").write_text("changed since")
+        self.assert_up_to_date(False)
+
+    def test_a_run_of_older_programs_is_not(self):
+        os.utime(self.bin / "coupler")
+        os.utime(self.run_folder / "scene.toml", (2, 2))
+        self.assert_up_to_date(False)
+
+    def test_a_run_that_did_not_reach_its_end_is_not(self):
+        self.end("failed")
+        self.assert_up_to_date(False)
+        (self.run_folder / "summary.json").unlink()
+        self.assert_up_to_date(False)
 
 
 if __name__ == "__main__":

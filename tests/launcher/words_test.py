@@ -1,6 +1,7 @@
 """The words of `./fpi`, set-up and build, without running a scene."""
 
 import io
+import re
 import shutil
 import tempfile
 import unittest
@@ -37,6 +38,11 @@ class Words(FakeTest):
         self.assertEqual(len(out.splitlines()), len(list(scenes.FOLDER.glob("*.toml"))))
         for line in out.splitlines():
             self.assertGreater(len(line.split()), 3, line)
+
+    def test_the_readme_tells_of_every_scene(self):
+        table = (common.ROOT / "README.md").read_text().split("\n## Scenes\n")[1].split("\n## ")[0]
+        told = [name for row in re.findall(r"^\| (`.*?) \|", table, re.M) for name in re.findall(r"`(\w+)`", row)]
+        self.assertEqual(sorted(told), sorted(path.stem for path in scenes.FOLDER.glob("*.toml")))
 
     def test_mesh_without_gmsh_says_what_to_install(self):
         with mock.patch.object(mesh.shutil, "which", lambda name: None):
