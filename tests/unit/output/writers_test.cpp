@@ -110,10 +110,13 @@ TEST_F(Writers, tractions_come_back_arc_by_arc) {
   writer.write(0.1, {.body = {0, 0, 1},
                      .start = {0, 3, 0},
                      .end = {3, 6, 6},
+                     .middle = {0, 1, 0, -1, 1, 2},
                      .traction = {1, 2, 3, 4, 5, 6},
                      .centre = {0, 0, 1, 1}});
   const H5File file = H5File::read(folder / "interface.h5");
   EXPECT_EQ(file.indices("/steps/000000/body"), (std::vector<std::uint32_t>{0, 0, 1}));
+  EXPECT_EQ(file.shape("/steps/000000/middle"), (Shape{3, 2}));
+  EXPECT_EQ(file.doubles("/steps/000000/middle")[5], 2);
   EXPECT_EQ(file.shape("/steps/000000/traction"), (Shape{3, 2}));
   EXPECT_EQ(file.shape("/steps/000000/centre"), (Shape{2, 2}));
   EXPECT_EQ(file.doubles("/steps/000000/end"), (std::vector<double>{3, 6, 6}));
