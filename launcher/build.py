@@ -23,7 +23,7 @@ def build(preset: str = "release", jobs: int | None = None, quiet: bool = False)
         if not (folder / "build.ninja").exists():
             follow(["cmake", "--preset", preset], log, f"configuring {preset}", quiet)
         cores = str(jobs or os.cpu_count() or 1)
-        follow(["cmake", "--build", "--preset", preset, "--parallel", cores], log, f"building {preset}", quiet)
+        follow(["ninja", "-C", str(folder), "-j", cores], log, f"building {preset}", quiet)
 
 
 def test(preset: str, everything: bool, jobs: int | None = None, quiet: bool = False) -> int:

@@ -1,4 +1,4 @@
-"""The words of `./fpi` and what each does."""
+"""The words of `./fpi` and what each does. What only some words need is imported there: a small run feels it."""
 
 import argparse
 import json
@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from launcher import build, display, mesh, packages, report, run, scenes
+from launcher import build, display, report, run, scenes
 from launcher.common import ROOT, Refusal, program, programs
 
 
@@ -133,7 +133,7 @@ def do_check(arguments) -> int:
 
 
 def do_plot(arguments) -> int:
-    packages.ensure()
+    ensure_packages()
     from launcher import plot  # needs packages that set-up installs
 
     pictures = plot.draw(arguments.run)
@@ -143,6 +143,8 @@ def do_plot(arguments) -> int:
 
 
 def do_mesh(arguments) -> int:
+    from launcher import mesh
+
     print(mesh.make(arguments.geometry, arguments.size, arguments.out))
     return 0
 
@@ -154,19 +156,19 @@ def do_list(_arguments) -> int:
 
 
 def do_build(arguments) -> int:
-    packages.ensure()
+    ensure_packages()
     build.build(arguments.preset, arguments.jobs)
     return 0
 
 
 def do_test(arguments) -> int:
-    packages.ensure()
+    ensure_packages()
     build.build(arguments.preset, arguments.jobs)
     return build.test(arguments.preset, arguments.all, arguments.jobs)
 
 
 def do_demo(_arguments) -> int:
-    packages.ensure()
+    ensure_packages()
     build.build()
     scene = scenes.find("settling_disc")
     folder = str(run.new_folder(None, scene))
@@ -178,14 +180,14 @@ def do_demo(_arguments) -> int:
 
 
 def do_bench(arguments) -> int:
-    packages.ensure()
+    ensure_packages()
     build.build()
     script = ROOT / "bench" / f"{arguments.subject}.py"
     return subprocess.run([sys.executable, "-I", str(script), *arguments.rest], check=False).returncode
 
 
 def do_paper(_arguments) -> int:
-    packages.ensure()
+    ensure_packages()
     build.build()
     from launcher import paper  # needs packages that set-up installs
 
@@ -202,5 +204,11 @@ def ensure_programs(quiet: bool) -> None:
     """Sets up and builds where the programs are not there yet; the words `build` and `test` bring them up to date."""
     if (programs() / "coupler").exists():
         return
-    packages.ensure(say=(lambda text: None) if quiet else print)
+    ensure_packages(quiet)
     build.build(quiet=quiet)
+
+
+def ensure_packages(quiet: bool = False) -> None:
+    from launcher import packages
+
+    packages.ensure(say=(lambda text: None) if quiet else print)

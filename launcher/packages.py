@@ -1,10 +1,12 @@
 """Set-up: which Debian packages are needed and why, which are missing, and how they get installed."""
 
+import contextlib
 import os
 import shutil
 import subprocess
+from pathlib import Path
 
-from launcher.common import Refusal
+from launcher.common import ROOT, Refusal
 
 BUILD = {
     "g++": "compiles the programs (C++20)",
@@ -34,6 +36,8 @@ RUN = {
     "python3-matplotlib": "draws the pictures",
 }
 NEEDED = BUILD | RUN
+STATUS = Path("/var/lib/dpkg/status")  # changes with every package
+MEMORY = ROOT / "build" / "packages"  # what the last good answer of dpkg rested on
 
 
 def installed(names) -> set[str]:
@@ -53,10 +57,25 @@ def missing() -> list[str]:
     return [name for name in NEEDED if name not in there]
 
 
+def grounds() -> str:
+    """What the answer of dpkg rests on: the state of the system and the names it is asked for."""
+    return "\n".join([str(STATUS.stat().st_mtime_ns) if STATUS.exists() else "", *NEEDED])
+
+
+def remember() -> None:
+    with contextlib.suppress(OSError):  # where nothing can be written dpkg is asked each time
+        MEMORY.parent.mkdir(exist_ok=True)
+        MEMORY.write_text(grounds())
+
+
 def ensure(say=print) -> None:
-    """Installs what is missing; silent where nothing is. Without root it prints the command and refuses."""
+    """Installs what is missing; silent where nothing is, and dpkg is not asked again until a package or the list
+    changes. Without root it prints the command and refuses."""
+    if MEMORY.exists() and MEMORY.read_text() == grounds():
+        return
     names = missing()
     if not names:
+        remember()
         return
     say("These Debian packages are missing:")
     for name in names:

@@ -9,7 +9,6 @@ import shlex
 import signal
 import subprocess
 import time
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from launcher.common import Refusal, program
@@ -22,15 +21,13 @@ NOT_STARTED = 127  # the shell's status for a program that cannot be started
 INTERRUPT_PATIENCE = 15.0  # [s] for the coupler to close its files after Ctrl-C
 
 
-@dataclass
 class Request:
-    scene: Path
-    folder: Path
-    overrides: list[str] = field(default_factory=list)
-    listen: str | None = None
-    keys: Path | None = None
-    threads: int | None = None
-    resume: bool = False
+    """What is to be run, and where."""
+
+    def __init__(self, scene: Path, folder: Path, overrides: list[str] | None = None, resume: bool = False,
+                 listen: str | None = None, keys: Path | None = None, threads: int | None = None):
+        self.scene, self.folder, self.overrides, self.resume = scene, folder, overrides or [], resume
+        self.listen, self.keys, self.threads = listen, keys, threads
 
 
 def plan(scene: Path, overrides: list[str]) -> dict:

@@ -1,6 +1,5 @@
 """The scenes that come with the project."""
 
-import tomllib
 from pathlib import Path
 
 from launcher.common import ROOT, Refusal
@@ -19,4 +18,6 @@ def find(word: str) -> Path:
 
 def titles() -> list[tuple[str, str]]:
     """Name and title of each scene in configs/."""
+    import tomllib  # no run needs it
+
     return [(path.stem, tomllib.loads(path.read_text()).get("title", "")) for path in sorted(FOLDER.glob("*.toml"))]

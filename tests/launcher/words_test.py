@@ -1,7 +1,10 @@
 """The words of `./fpi`, set-up and build, without running a scene."""
 
 import io
+import os
 import re
+import subprocess
+import sys
 import shutil
 import tempfile
 import unittest
@@ -94,12 +97,38 @@ class Report(unittest.TestCase):
 
 
 class SetUp(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.status = Path(folder.name) / "status"
+        self.status.touch()
+        self.enterContext(mock.patch.object(packages, "STATUS", self.status))
+        self.enterContext(mock.patch.object(packages, "MEMORY", Path(folder.name) / "build" / "packages"))
+
     def test_dpkg_is_asked_once_and_knows_what_is_there(self):
         self.assertEqual(packages.installed(["dpkg", "no-such-package"]), {"dpkg"})
 
     def test_nothing_missing_says_nothing(self):
         with mock.patch.object(packages, "installed", lambda names: set(names)):
             packages.ensure(say=self.fail)
+
+    def test_dpkg_is_asked_again_only_when_a_package_or_the_list_changes(self):
+        asked = []
+
+        def installed(names):
+            asked.append(len(names))
+            return set(names)
+
+        with mock.patch.object(packages, "installed", installed):
+            for _ in range(3):
+                packages.ensure(say=self.fail)
+            self.assertEqual(len(asked), 1)
+            os.utime(self.status, (1, 1))
+            packages.ensure(say=self.fail)
+            self.assertEqual(len(asked), 2)
+            with mock.patch.dict(packages.NEEDED, {"gmsh": "meshes"}):
+                packages.ensure(say=self.fail)
+            self.assertEqual(len(asked), 3)
 
     def test_without_root_the_exact_command_is_given(self):
         said = []
@@ -128,6 +157,31 @@ class SetUp(unittest.TestCase):
             packages.run_apt(["sh", "-c", "echo no network; exit 100"])
         self.assertIn("status 100", str(refused.exception))
         self.assertIn("no network", str(refused.exception))
+
+
+class Start(unittest.TestCase):
+    """What stands before every run."""
+
+    def test_a_run_imports_nothing_that_it_does_not_need(self):
+        heavy = {"rich", "h5py", "numpy", "matplotlib", "PIL", "tomllib", "dataclasses", "launcher.packages"}
+        script = ("import sys; sys.path.insert(0, sys.argv[1]); from launcher import cli; "
+                  "cli.parser().parse_args(['run', 'cavity', '--json']); print(*sys.modules)")
+        done = subprocess.run([sys.executable, "-I", "-c", script, str(common.ROOT)], capture_output=True, text=True,
+                              check=True)
+        self.assertEqual(heavy & set(done.stdout.split()), set())
+
+    def test_a_bare_machine_without_root_is_told_the_command(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "id").write_text("#!/bin/sh\necho 1000\n")
+            (Path(folder) / "id").chmod(0o755)
+            for python in (f"{folder}/none", f"{folder}/id"):  # there is none, or one without a library
+                starter = (common.ROOT / "fpi").read_text().replace("python=/usr/bin/python3\n", f"python={python}\n")
+                (Path(folder) / "fpi").write_text(starter)
+                done = subprocess.run(["sh", f"{folder}/fpi", "list"], capture_output=True, text=True, check=False,
+                                      env=os.environ | {"PATH": f"{folder}:{os.environ['PATH']}"})
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(f"fpi: {python} (3.11 or newer", done.stderr)
+                self.assertIn("apt-get install -y --no-install-recommends python3", done.stderr)
 
 
 class Build(unittest.TestCase):
