@@ -2,6 +2,7 @@
 /// them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -75,6 +76,12 @@ struct Body {
   }
 
   bool is_free() const { return motion == "free"; }
+  /// False for a body that is held, and for a disc that spins about its own centre.
+  bool changes_place() const {
+    const bool travels = std::ranges::any_of(prescribed_velocity, [](const auto& v) { return v != "0"; });
+    const bool turns = shape == "polygon" && prescribed_spin != "0";
+    return is_free() || (motion == "prescribed" && (travels || turns));
+  }
   bool is_plane() const { return shape != "sphere"; }
   /// Volume [m³] of the body seen with radius r; a disc or polygon is a cylinder of the scene's thickness.
   double volume(double r, double thickness) const {

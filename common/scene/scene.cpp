@@ -45,7 +45,7 @@ bool Scene::moves_freely() const {
 }
 
 bool Scene::moves() const {
-  return std::ranges::any_of(bodies, [](const Body& body) { return body.motion != "fixed"; });
+  return std::ranges::any_of(bodies, [](const Body& body) { return body.changes_place(); });
 }
 
 std::string part_for(Part part, const Scene& scene) {

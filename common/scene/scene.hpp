@@ -153,7 +153,7 @@ struct Scene {
   void declare(ParameterVisitor& v);
 
   bool moves_freely() const;  ///< a body is free
-  bool moves() const;         ///< a body is free or prescribed
+  bool moves() const;         ///< the outline of a body does: a disc that only spins stays in place
   bool needs_fluid() const { return fluid.has_value(); }
   bool needs_dem() const { return moves_freely(); }
 };

@@ -1,6 +1,6 @@
 /// Traction of the fluid on the boundaries that hold it, recovered from the residual: the continuous P2 field
-/// t with ∫ t·w = −residual(w) for the functions w of a boundary's nodes. It converges faster than μ∇u − p n
-/// of the elements, and its integral is the sum of the nodal reactions.
+/// t with ∫ t·w = −residual(w) for the functions w of a boundary's nodes. No gradient is
+/// taken, and its integral is the sum of the nodal reactions.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -19,7 +19,7 @@ struct BoundaryCurve {
   std::string name;
   Vec2 centre = Vec2::Zero();  ///< that torques are about: centroid of a closed boundary's inside, else of
                                ///< its length [m]
-  std::vector<Index> nodes;                 ///< of each point
+  std::vector<Index> nodes;    ///< of each point
   std::vector<std::array<Index, 3>> lines;  ///< points: both ends, then the middle
 };
 

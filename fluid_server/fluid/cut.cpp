@@ -167,7 +167,7 @@ Position position(const Corners& c, const Outline& outline) {
   const Polygon* polygon = outline.polygon();
   if (!polygon) return position(c, *outline.disc());
   for (int k = 0; k < polygon->size(); ++k)
-    if (passes(polygon->side(k), c, -2 * polygon->hair())) return Position::cut;
+    if (passes(polygon->side(k), c, -2 * outline.hair())) return Position::cut;
   return polygon->contains((c[0] + c[1] + c[2]) / 3) ? Position::inside : Position::outside;
 }
 

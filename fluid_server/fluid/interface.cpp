@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
+#include "core/polygon.hpp"
 #include "fluid/quadrature.hpp"
 
 namespace fpi::fluid {
@@ -58,6 +60,17 @@ void set_edges(Interface& f, const std::vector<Vec2>& vertices) {
   require(polygon.size() >= 3,
           "body {}: an outline with three corners or more is required; got {} from {} vertices", f.body,
           polygon.size(), vertices.size());
+  std::vector<double> corners;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < polygon.size(); ++k) {
+    const auto [from, to] = polygon.side(k);
+    corners.insert(corners.end(), {from.x(), from.y()});
+    shortest = std::min(shortest, (to - from).norm());
+  }
+  const std::string problem = polygon_problem(corners);
+  require(problem.empty(), "body {}: its outline {}", f.body, problem);
+  require(shortest > 10 * polygon.hair(),
+          "body {}: its outline must have sides longer than round-off; one is {:g} m", f.body, shortest);
   f.start = std::move(parameters);
   f.end.assign(f.start.begin() + 1, f.start.end());
   f.end.push_back(f.start.front() + polygon.period());
@@ -67,8 +80,8 @@ void set_edges(Interface& f, const std::vector<Vec2>& vertices) {
 void check(std::span<const Interface> interfaces) {
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const Interface& f = interfaces[i];
-    check_size(f);
     check_arcs(f);
+    check_size(f);
     for (const Interface& other : interfaces.first(i)) {
       require(other.body != f.body, "each body must come once; body {} comes twice", f.body);
       const Vec2 low = f.outline.lower(), high = f.outline.upper();

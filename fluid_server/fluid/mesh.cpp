@@ -101,6 +101,13 @@ void name_boundary(Mesh& mesh, const EdgeNumbers& number, const std::vector<Name
             a.x(), a.y(), b.x(), b.y());
     mesh.boundary.push_back({e, mesh.edge_cells[e][0], boundary_of[e]});
   }
+  std::vector<std::uint8_t> has_edge(mesh.boundary_names.size(), 0);
+  for (const BoundaryEdge& b : mesh.boundary) has_edge[b.boundary] = 1;
+  for (std::size_t i = 0; i < has_edge.size(); ++i)
+    require(has_edge[i] != 0,
+            "every named boundary must have outer edges of its own; \"{}\" has none: remove this physical "
+            "group, or name curves on the outside of the mesh",
+            mesh.boundary_names[i]);
 }
 
 }  // namespace

@@ -36,13 +36,19 @@ std::vector<Stretch> uncovered(const Vec2& a, const Vec2& b, std::span<const Out
     outline.add_crossings(a, b, met);
     for (const double parameter : met)
       t.push_back(std::clamp(nearest(a, b, outline.at(parameter)), 0.0, 1.0));
+    // Corners on the segment, where a side may run along it.
+    for (int corner = 0; corner < outline.n_corners(); ++corner) {
+      const Vec2 x = outline.at(corner);
+      const double at = std::clamp(nearest(a, b, x), 0.0, 1.0);
+      if ((a + at * (b - a) - x).norm() < 2 * outline.hair()) t.push_back(at);
+    }
   }
   std::sort(t.begin(), t.end());
   std::vector<Stretch> out;
   for (std::size_t k = 0; k + 1 < t.size(); ++k) {
     const Vec2 middle = a + 0.5 * (t[k] + t[k + 1]) * (b - a);
     const bool free =
-        std::none_of(near.begin(), near.end(), [&](const Outline* o) { return o->contains(middle); });
+        std::none_of(near.begin(), near.end(), [&](const Outline* o) { return o->covers(middle); });
     if (free && t[k + 1] - t[k] > 1e-9) out.push_back({t[k], t[k + 1]});
   }
   return out;

@@ -54,6 +54,9 @@ class Outline {
   double distance(const Vec2& x) const {
     return visit([&](const auto& s) { return s.distance(x); });
   }
+  /// True for what the body contains and, for straight sides, for the outline itself.
+  bool covers(const Vec2& x) const { return contains(x) || (hair_ > 0 && distance(x) < 2 * hair_); }
+  double hair() const { return hair_; }  ///< see Polygon::hair; 0 for a circle
   Vec2 lower() const {
     return visit([](const auto& s) { return s.lower(); });
   }

@@ -63,6 +63,9 @@ System::System(const Space& space, const scene::Fluid& parameters, std::vector<I
   {
     const ScopedTimer timer(ledger, "interface");
     cut_ = cut_mesh(space.mesh, space.locator, interfaces_);
+    for (const Interface& interface : interfaces_)
+      arc_lengths_.push_back(
+          wanted_arc_length(space.mesh, space.locator, interface.outline, embedding_.arc_ratio));
     for (Index e : cut_.ghost_edges) ghosts_.push_back(ghost_face(space.mesh, e));
   }
   const ScopedTimer timer(ledger, "assembly");

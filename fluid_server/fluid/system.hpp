@@ -59,6 +59,8 @@ class System {
   const CutMesh& cut() const { return cut_; }
   const Numbering& numbering() const { return numbering_; }
   const std::vector<Interface>& interfaces() const { return interfaces_; }
+  /// Length of arc that suits the mesh around each interface [m].
+  const std::vector<double>& arc_lengths() const { return arc_lengths_; }
   bool same_geometry(const std::vector<Interface>& interfaces) const;
 
   /// Takes the velocities (not the geometry) of `interfaces`.
@@ -131,6 +133,7 @@ class System {
   bool bodies_move_;
   std::vector<Interface> interfaces_;
   CutMesh cut_;
+  std::vector<double> arc_lengths_;
   Numbering numbering_;
   std::vector<Index> active_cells_;
   std::vector<Stretch> stretches_;  // of each stripe

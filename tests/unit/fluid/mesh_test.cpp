@@ -49,8 +49,10 @@ TEST(Mesh, faults_are_refused_with_the_place) {
 
 TEST(Mesh, an_edge_with_two_names_has_the_first) {
   const Mesh mesh = make_mesh({{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}},
-                              {{{0, 1}, 1}, {{1, 2}, 1}, {{2, 0}, 1}, {{1, 0}, 0}}, {"a", "b"});
-  for (const BoundaryEdge& b : mesh.boundary) EXPECT_EQ(b.boundary, 1);
+                              {{{0, 1}, 1}, {{1, 2}, 1}, {{2, 0}, 0}, {{1, 0}, 0}}, {"a", "b"});
+  std::vector<Index> found;
+  for (const BoundaryEdge& b : mesh.boundary) found.push_back(b.boundary);
+  EXPECT_EQ(found, (std::vector<Index>{1, 1, 0}));
 }
 
 TEST(Mesh, graded_lines_keep_the_fine_size_and_grow_by_the_ratio) {
@@ -94,6 +96,16 @@ TEST(Locator, finds_the_triangle_of_every_point) {
   EXPECT_TRUE(locator.find({2, 1}));
   EXPECT_FALSE(locator.find({2.1, 0.5}));
   EXPECT_FALSE(locator.find({-1, -1}));
+}
+
+TEST(Mesh, a_boundary_name_without_outer_edges_is_refused) {
+  const Mesh mesh = make_rectangle(uniform_lines(0, 1, 2), uniform_lines(0, 1, 2));
+  std::vector<NamedEdge> edges;
+  for (const BoundaryEdge& b : mesh.boundary) edges.push_back({mesh.edges[b.edge], b.boundary});
+  auto names = mesh.boundary_names;
+  EXPECT_NO_THROW(make_mesh(mesh.vertices, mesh.cells, edges, names));
+  names.push_back("inside");
+  EXPECT_THROW(make_mesh(mesh.vertices, mesh.cells, edges, names), Error);
 }
 
 }  // namespace

@@ -187,5 +187,41 @@ TEST(Uncovered, is_what_bodies_leave_of_a_segment) {
   EXPECT_NEAR(left[1].end, 1, 0);
 }
 
+TEST(Polygons, what_lies_on_a_side_counts_as_covered_whichever_side_it_is) {
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const auto turned = [&](Vec2 x) {
+      for (int k = 0; k < quarter; ++k) x = Vec2(-x.y(), x.x());
+      return x;
+    };
+    Interface body;
+    set_edges(body, {turned({0.4, 0}), turned({1, 0}), turned({1, 0.5}), turned({0.4, 0.5})});
+    const std::vector<Outline> bodies{body.outline};
+    for (const bool forwards : {true, false}) {
+      const Vec2 a = turned({1, 0.3}), b = turned({1, 0.7});
+      const auto left = forwards ? uncovered(a, b, bodies) : uncovered(b, a, bodies);
+      ASSERT_EQ(left.size(), 1u) << quarter;
+      EXPECT_NEAR(left[0].start, forwards ? 0.5 : 0, 1e-12);
+      EXPECT_NEAR(left[0].end, forwards ? 1 : 0.5, 1e-12);
+      EXPECT_TRUE(uncovered(turned({1, 0.1}), turned({1, 0.4}), bodies).empty()) << quarter;
+    }
+  }
+}
+
+TEST(Polygons, an_outline_from_outside_that_is_none_is_refused_with_the_body) {
+  Interface body;
+  body.body = 7;
+  for (const std::vector<Vec2>& vertices : {std::vector<Vec2>{{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}},
+                                            {{0, 0}, {1, 1}, {1, 0}, {0, 1}},
+                                            {{0, 0}, {1, 0}},
+                                            {{0, 0}, {1, 0}, {1 + 1e-15, 1e-15}, {1, 1}}}) {
+    try {
+      set_edges(body, vertices);
+      FAIL();
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("body 7: "), std::string::npos) << e.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fpi::fluid

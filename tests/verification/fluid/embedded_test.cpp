@@ -162,6 +162,17 @@ TEST(Embedded, interfaces_that_make_no_sense_are_refused_with_the_body) {
   EXPECT_FALSE(refused({good}));
 }
 
+TEST(Embedded, no_sub_iteration_goes_on_from_one_that_did_not_converge) {
+  auto s = settings(
+      1, 1e-6, {{"left", velocity("1", "0")}, {"right", open()}, {"bottom", no_slip()}, {"top", no_slip()}});
+  s.fluid.newton.max_iterations = 1;
+  NavierStokes solver(square(6), s);
+  Request request{0.1, 0.1, 0, {}};
+  ASSERT_FALSE(solver.advance(request).newton.converged);
+  request.sub_iteration = 1;
+  EXPECT_THROW(solver.advance(request), Error);
+}
+
 TEST(Embedded, a_body_that_cuts_a_curved_triangle_is_refused_with_the_place) {
   Mesh mesh = square(6);
   const Index curved = mesh.boundary.front().edge;
