@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"hydraulic_radius", "hydraulic_radius_ratio = 1.5\n" + settling,
              "drop.toml:1: hydraulic_radius_ratio must be a finite number in (0, 1]; got 1.5: correct it "
              "(radius "
-             "that the fluid sees over the contact radius; below 1 touching discs let fluid through)"},
+             "that the fluid sees over the contact radius; below 1 touching discs let fluid through; polygons keep their size)"},
         Case{"one_viscosity", with(settling, "density = 1000", "density = 1000\ndynamic_viscosity = 1"),
              "drop.toml:10: fluid.dynamic_viscosity must be given, or kinematic_viscosity, and not both; got "
              "1"},
