@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from bench.oscillation import shedding
-from bench.tools import Run, cylinder_mesh, dolfinx, fpi, freefem, history
+from bench.tools import Run, dolfinx, fpi, freefem, gmsh_mesh, history
 
 
 @dataclass
@@ -29,13 +29,13 @@ def steady_cylinder(folder: Path) -> list[list[Run]]:
         return forces(summary["coefficients"])
 
     def fitted(tool, size, order, *more):
-        return fpi(tool, f"size {size:g}", "cylinder_fitted", folder,
-                   [f"fluid.mesh.file={cylinder_mesh(size, order, folder)}", *more], ours)
+        mesh = gmsh_mesh("cylinder", size, order, folder)
+        return fpi(tool, f"size {size:g}", "cylinder_fitted", folder, [f"fluid.mesh.file={mesh}", *more], ours)
 
     def rung(size: float, ratio: int, edges: int) -> list[Run]:
         cell = f"fluid.mesh.refinements.0.size={0.1 / ratio:g}"
         wake = f"fluid.mesh.refinements.1.size={0.4 / ratio:g}"
-        curved = cylinder_mesh(size, 2, folder)
+        curved = gmsh_mesh("cylinder", size, 2, folder)
         return [fitted("fpi fitted straight", size, 1),
                 fitted("fpi fitted curved", size, 2),
                 fitted("fpi fitted curved, MUMPS", size, 2, "fluid.linear_solver=\"mumps\""),
@@ -47,7 +47,7 @@ def steady_cylinder(folder: Path) -> list[list[Run]]:
 
 
 def shedding_cylinder(folder: Path) -> list[list[Run]]:
-    end, start = 10, 8
+    end, start = 7, 5
 
     def measured(series):
         return shedding(series, start, length=0.1, velocity=1)
@@ -58,18 +58,18 @@ def shedding_cylinder(folder: Path) -> list[list[Run]]:
     def theirs(found):
         return measured(found["series"])
 
-    def rung(size: float, ratio: int, edges: int, step: float, split_step: float) -> list[Run]:
+    def rung(size: float, edges: int, step: float, split_step: float) -> list[Run]:
         common = [f"time.step={step:g}", "output.fields=false"]
-        curved = cylinder_mesh(size, 2, folder)
+        curved = gmsh_mesh("cylinder_shedding", size, 2, folder)
         return [fpi("fpi fitted curved", f"size {size:g}, step {step:g}", "cylinder_shedding_fitted", folder,
                     [*common, f"fluid.mesh.file={curved}"], ours),
-                fpi("fpi embedded", f"D/h {ratio}, step {step:g}", "cylinder_shedding", folder,
-                    [*common, f"fluid.mesh.refinements.0.size={0.1 / ratio:g}",
-                     f"fluid.mesh.refinements.1.size={0.2 / ratio:g}"], ours),
+                fpi("fpi embedded", f"size {size:g}, step {step:g}", "cylinder_shedding", folder,
+                    [*common, f"fluid.mesh.refinements.0.size={0.0032 * size:g}",
+                     f"fluid.mesh.refinements.1.size={0.0125 * size:g}"], ours),
                 *dolfinx(f"size {size:g}, step {split_step:g}", "dfg_2d2.py", [curved, split_step, end, start], theirs),
                 *freefem(f"{edges} edges, step {step:g}", "dfg_2d2.edp", [edges, step, end, start], theirs)]
 
-    return [rung(1, 16, 64, 0.01, 0.005), rung(0.6, 24, 96, 0.005, 0.0025)]
+    return [rung(1.42, 64, 0.01, 0.005), rung(1, 96, 0.004, 0.0025)]
 
 
 def cavity(folder: Path) -> list[list[Run]]:
@@ -93,7 +93,7 @@ def cavity(folder: Path) -> list[list[Run]]:
 CASES = {
     "2d1": Case("DFG 2D-1, steady cylinder", {"cd": (5.57953523384, "absolute"), "cl": (0.010618948146, "absolute")},
                 steady_cylinder),
-    "2d2": Case("DFG 2D-2, vortex shedding, 10 s",
+    "2d2": Case("DFG 2D-2, vortex shedding, 7 s",
                 {"cd_max": (3.227393, "relative"), "cd_min": (3.164263, "relative"), "cl_range": (2.007871, "relative"),
                  "St": (0.301841, "relative")}, shedding_cylinder),
     "cavity": Case("Lid-driven cavity, Re 1000", {"u_min": (-0.3885698, "absolute"), "v_max": (0.3769447, "absolute"),

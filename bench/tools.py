@@ -77,11 +77,11 @@ def dolfinx(size: str, script: str, arguments: list, values: Callable[[dict], di
     return [peer("dolfinx", size, [sys.executable, str(PEERS / script), *map(str, arguments)], values)]
 
 
-def cylinder_mesh(size: float, order: int, folder: Path) -> Path:
-    """The mesh of configs/cylinder.geo with all sizes scaled, its edges straight (order 1) or curved (2)."""
-    mesh = folder / f"cylinder-{size:g}-{order}.msh"
+def gmsh_mesh(name: str, size: float, order: int, folder: Path) -> Path:
+    """The mesh of configs/NAME.geo with all sizes scaled, its edges straight (order 1) or curved (2)."""
+    mesh = folder / f"{name}-{size:g}-{order}.msh"
     if not mesh.exists():
         command = ["gmsh", "-2", "-order", str(order), "-format", "msh22", "-setnumber", "size", f"{size:g}",
-                   str(ROOT / "configs" / "cylinder.geo"), "-o", str(mesh)]
+                   str(ROOT / "configs" / f"{name}.geo"), "-o", str(mesh)]
         subprocess.run(command, check=True, capture_output=True)
     return mesh

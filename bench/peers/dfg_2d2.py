@@ -5,6 +5,7 @@ the forces from the time FROM on."""
 
 import json
 import sys
+from math import pi, sin
 
 import ufl
 from dolfinx import fem
@@ -23,6 +24,7 @@ pressures = fem.FunctionSpace(domain, ("CG", 1))
 
 inlet = fem.Function(velocities)
 inlet.interpolate(channel.inflow(1.5))
+parabola = inlet.x.array[0::2].copy()
 zero = fem.Constant(domain, PETSc.ScalarType((0, 0)))
 
 
@@ -89,6 +91,8 @@ series = []
 n_steps = round(end / step)
 for n in range(1, n_steps + 1):
     last = now.x.array.copy()
+    inlet.x.array[0::2] = parabola * sin(pi * min(n * step, 0.5))**2
+    inlet.x.array[1::2] = parabola * sin(pi * min(n * step, 1))**2 / 2  # stirs the wake
     solve(0, refresh=True)
     solve(1, refresh=False)
     pressure.x.array[:] += correction.x.array
