@@ -74,12 +74,16 @@ def entry(container, key: str):
 
 
 def compress(source: Path, target: Path) -> None:
-    """A copy of a picture of at most LARGEST bytes: fewer colours, then smaller."""
+    """A copy of a picture of at most LARGEST bytes: as it is where it can be, else of fewer colours, then smaller."""
     target.parent.mkdir(parents=True, exist_ok=True)
+    if source.stat().st_size <= LARGEST:
+        shutil.copyfile(source, target)
+        return
     with Image.open(source) as original:
         image = original.convert("RGB")
     for _ in range(8):
-        image.quantize(128, dither=Image.Dither.NONE).save(target, optimize=True)
+        fewer = image.quantize(256, Image.Quantize.MAXCOVERAGE, kmeans=1000, dither=Image.Dither.NONE)  # keeps rare colours
+        fewer.save(target, optimize=True)
         if target.stat().st_size <= LARGEST:
             return
         image = image.resize((round(0.85 * image.width), round(0.85 * image.height)), Image.Resampling.LANCZOS)

@@ -27,12 +27,21 @@ class Paper(unittest.TestCase):
         self.assertIn("boundaries/wall/force", str(refused.exception))
 
     def test_pictures_are_made_small(self):
-        noise = np.random.default_rng(1).integers(0, 255, (420, 420, 3), dtype=np.uint8)
+        noise = np.random.default_rng(1).integers(0, 255, (240, 240, 3), dtype=np.uint8)
         with tempfile.TemporaryDirectory() as folder:
             source, target = Path(folder) / "a.png", Path(folder) / "b" / "a.png"
             Image.fromarray(noise).save(source)
             paper.compress(source, target)
             self.assertLessEqual(target.stat().st_size, paper.LARGEST)
+
+    def test_small_pictures_keep_all_their_colours(self):
+        shades = np.arange(3 * 80 * 80, dtype=np.uint32).astype(np.uint8).reshape(80, 80, 3)
+        with tempfile.TemporaryDirectory() as folder:
+            source, target = Path(folder) / "a.png", Path(folder) / "b.png"
+            Image.fromarray(shades).save(source)
+            paper.compress(source, target)
+            with Image.open(target) as copy:
+                np.testing.assert_array_equal(np.asarray(copy.convert("RGB")), shades)
 
 
 class Runs(unittest.TestCase):
