@@ -57,7 +57,7 @@ class Words(FakeTest):
         status, _, err = self.fpi("mesh", "no_such_geometry")
         self.assertEqual(status, 1)
         self.assertIn("there is no no_such_geometry", err)
-        self.assertIn("cylinder, step_channel", err)
+        self.assertIn("cylinder, cylinder_shedding, step_channel", err)
 
     @unittest.skipUnless(shutil.which("gmsh"), "gmsh is not installed")
     def test_mesh_is_of_second_order_and_finer_for_a_smaller_size(self):
