@@ -54,8 +54,9 @@ class RemoteFluid : public Remote<proto::FluidParticipant> {
     return advance_remotely<proto::FluidAdvanced>(stamp, interfaces_.sent(message));
   }
   proto::Accepted accept() override {
+    proto::Accepted accepted = Remote::accept();
     interfaces_.accept();
-    return Remote::accept();
+    return accepted;
   }
 
  private:

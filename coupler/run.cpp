@@ -34,6 +34,7 @@ void Run::resume(const MeshFile& mesh, const Checkpoint& checkpoint) {
   simulation_.configure(mesh, checkpoint.participants);
   simulation_.set_numbers(checkpoint.simulation);
   window_.set_state(checkpoint.time_window);
+  fields_time_ = window_.start();  // a fluid has none of its resumed state: it knows no bodies before a step
   statistics_.set_numbers(checkpoint.statistics);
   recorder_.emplace(scene_, folder_, checkpoint.file_sizes);
   log::info("resumed after step {}, t = {} s", simulation_.steps(), window_.start());

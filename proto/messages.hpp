@@ -112,8 +112,8 @@ struct FluidAdvanced {
   std::vector<Traction> tractions{};
   std::uint32_t newton_iterations = 0;
   double residual = 0;          ///< last relative Newton update
-  double time_error = 0;        ///< estimated for this step, relative to the velocity; 0: not said
-  double time_error_order = 0;  ///< power of the time step that it goes with; 0: not said
+  double time_error = 0;        ///< estimated for this step, relative to the velocity
+  double time_error_order = 0;  ///< power of the time step that it goes with; 0: no error is said
 };
 
 /// What a body feels besides gravity and contact.

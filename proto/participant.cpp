@@ -49,13 +49,16 @@ class Desk {
       return solver_.advance(stamp, advance);
   }
   Message serve(const Stamp&, const Accept&) {
-    require(advanced_, "Accept must follow an advance; got it before any");
+    require(advanced_, "Accept must follow an advance; got none since the last Accept or Restore");
+    Accepted accepted = solver_.accept();
     interfaces_.accept();
-    return solver_.accept();
+    advanced_ = false;
+    return accepted;
   }
   Message serve(const Stamp&, const Restore&) {
     require_configured("Restore");
     solver_.restore();
+    advanced_ = false;
     return Restored{};
   }
   Message serve(const Stamp&, const Write& write) {

@@ -154,6 +154,8 @@ void check_motion(const Scene& scene, ParameterVisitor& v) {
   v.require(!scene.time.steady || !scene.moves_freely(), "time.steady",
             "must be false where bodies move freely");
   v.require(!scene.time.steady || scene.fluid, "time.steady", "must go with a [fluid]");
+  v.require(scene.time.relative_tolerance == 0 || scene.fluid, "time.relative_tolerance",
+            "must go with a [fluid], which estimates the error");
   const bool can_touch = scene.moves_freely() && (scene.walls.size() > 0 || scene.bodies.size() > 1);
   v.require(!can_touch || !scene.materials.empty(), "materials",
             "must have an entry where free bodies can touch walls or each other");

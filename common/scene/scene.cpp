@@ -57,6 +57,7 @@ std::string part_for(Part part, const Scene& scene) {
     p.walls.clear();
   } else {
     p.fluid.reset();
+    p.time.relative_tolerance = 0;
     p.coefficients.clear();
     p.probes.clear();
     p.profiles.clear();

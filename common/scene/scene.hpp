@@ -35,7 +35,11 @@ struct Time {
          "error of a step in time, over the velocity, that the size of the steps is chosen by; 0: steps of "
          "the size given"},
         relative_tolerance, between(0, 0.5));
-    v.real({"min_step", "s", "smallest step chosen so; 0: a thousandth of step"}, min_step, not_negative());
+    v.real(
+        {"min_step", "s",
+         "smallest step chosen so; 0: a thousandth of step; the equal steps to an output time or the end and "
+         "halved ones may be smaller"},
+        min_step, not_negative());
     v.real({"max_step", "s", "largest step chosen so; 0: no limit"}, max_step, not_negative());
     v.require(min_step <= step, "min_step", "must be at most step");
     v.require(max_step == 0 || max_step >= step, "max_step", "must be at least step, or 0");

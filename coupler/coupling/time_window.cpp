@@ -17,7 +17,7 @@ TimeWindow::TimeWindow(const scene::Time& time, double output_interval)
       interval_(output_interval),
       tolerance_(time.relative_tolerance),
       smallest_(time.min_step > 0 ? time.min_step : 1e-3 * time.step),
-      largest_allowed_(time.max_step > 0 ? time.max_step : time.end),
+      largest_allowed_(time.max_step > 0 ? time.max_step : std::max(time.end, time.step)),
       max_halvings_(static_cast<int>(time.max_halvings)),
       largest_(time.step) {
   plan(0);
@@ -47,6 +47,7 @@ std::int64_t TimeWindow::steps_left() const {
   return count_ - taken_ + static_cast<std::int64_t>(std::ceil(after_target / largest_ - round_off));
 }
 
+/// An error of 0 (a fluid at rest) gives an infinite factor: the step grows as much as it may.
 double TimeWindow::wanted_step(const TimeError& error) const {
   const double factor = safety * std::pow(tolerance_ / error.value, 1 / error.order);
   const double step = step_ * std::clamp(factor, 1 / most_shrinkage, most_growth);
@@ -74,12 +75,13 @@ void TimeWindow::accept(const TimeError& error) {
   ++taken_;
   const double before = largest_, now = start();
   const bool regrows = count_success();
-  if (tolerance_ == 0) {
-    if (regrows) largest_ = halvings_ == 0 ? nominal_ : std::min(nominal_, 2 * largest_);
-  } else if (error.value > 0 && error.order > 0) {
+  if (tolerance_ > 0 && error.order > 0) {
     const double wanted = wanted_step(error);
     const bool grows = wanted > least_change * largest_ && halvings_ == 0;
     if (grows || wanted < largest_ / least_change) largest_ = wanted;
+  } else if (regrows) {
+    const double regrown = halvings_ == 0 ? nominal_ : std::min(nominal_, 2 * largest_);
+    largest_ = std::max(largest_, regrown);
   }
   if ((largest_ != before || taken_ == count_) && now < end_) plan(now);
 }

@@ -13,8 +13,8 @@ namespace fpi::coupling {
 
 /// Estimate of a step's error in time.
 struct TimeError {
-  double value = 0;  ///< over the velocity; 0: not said
-  double order = 0;  ///< power of Δt that it goes with
+  double value = 0;  ///< over the velocity
+  double order = 0;  ///< power of Δt that it goes with; 0: no error is said
 };
 
 /// What is to be done with a step that converged.
@@ -23,7 +23,8 @@ enum class Verdict { take, repeat, take_at_smallest };
 /// The way to the next output time (or the end) is divided into equal steps, none larger than the step in
 /// force. That is `time.step`, or, with a tolerance, what the errors of the steps ask for: Δt
 /// (tolerance/error) to the power 1/order, times 0.9; at most twice the last step, kept where it would change
-/// by less than 20 % (so that factors of matrices keep as well).
+/// by less than 20 % (so that factors of matrices keep as well). Where no error is said, a halved step grows
+/// back as without a tolerance.
 class TimeWindow {
  public:
   static constexpr int successes_to_regrow = 5;  ///< accepted steps before a halved step is doubled again

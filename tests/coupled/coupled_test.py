@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from harness import SETTLING_SCENE, CoupledRun, interrupt, run_coupler, toy_scene
+from harness import SETTLING_SCENE, CoupledRun, channel_scene, interrupt, run_coupler, toy_scene
 
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
 KEYS = {"status", "reason", "steps", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
@@ -115,7 +115,6 @@ class Coupled(unittest.TestCase):
 
     def test_a_killed_coupler_can_be_resumed_to_the_same_history(self):
         scene = toy_scene(step=1e-4, checkpoint_every=50)
-        (self.folder / "whole").mkdir()
         with CoupledRun(self.folder / "whole", scene) as whole:
             self.assertEqual(whole.wait(), 0, whole.log())
         with CoupledRun(self.folder, scene) as run:
@@ -178,6 +177,28 @@ class Coupled(unittest.TestCase):
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertIn("resumed after step 10", resumed.log())
         self.assertEqual((run.out / "history.csv").read_bytes(), whole)
+
+    def test_a_run_with_adaptive_steps_resumes_to_the_same_bits(self):
+        scene = channel_scene("step = 0.05\nend = 1.15\nrelative_tolerance = 5e-3", length=3, cells_x=18, cells_y=6)
+        with CoupledRun(self.folder, scene) as run:
+            self.assertEqual(run.wait(), 0, run.log())
+        self.assertRegex(run.log(), r"(?s) repeated: with .* checkpoint after")
+        whole = (run.out / "history.csv").read_bytes()
+        run.forget_its_end()
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+        self.assertRegex(resumed.log(), r"(?s)resumed after step 20.* repeated: with")
+        self.assertEqual((run.out / "history.csv").read_bytes(), whole)
+
+    def test_the_number_of_threads_changes_no_bit(self):
+        scene = channel_scene("step = 0.01\nend = 0.03", length=150, cells_x=1001, cells_y=6)  # twelve stripes
+        histories = []
+        for threads in ("1", "4"):
+            with CoupledRun(self.folder / threads, scene, environment={"OMP_NUM_THREADS": threads}) as run:
+                self.assertEqual(run.wait(), 0, run.log())
+            histories.append((run.out / "history.csv").read_bytes())
+        self.assertEqual(len(run.history), 3)
+        self.assertEqual(histories[0], histories[1])
 
     def test_a_scene_that_cannot_be_read_still_has_a_summary(self):
         scene = toy_scene().replace("viscosity", "viskosity")

@@ -63,11 +63,40 @@ position = [0.005, 0.015]
 """
 
 
+CHANNEL_SCENE = """
+title = "a pulse of inflow past a held disc, on a coarse mesh"
+[time]
+{time}
+[output]
+checkpoint_every = 20
+[fluid]
+density = 1.0
+kinematic_viscosity = 0.02
+mesh = {{lower = [0.0, 0.0], upper = [{length}, 1.0], cells_x = {cells_x}, cells_y = {cells_y}}}
+[fluid.boundaries]
+bottom.type = "no_slip"
+top.type = "no_slip"
+left = {{type = "velocity", velocity = ["y*(1-y)*(1 + 8*exp(-((t-1)/0.1)^2))", 0]}}
+right.type = "traction"
+[[bodies]]
+name = "disc"
+radius = 0.2
+motion = "fixed"
+position = [1.0, 0.5]
+"""
+
+
+def channel_scene(time, length, cells_x, cells_y):
+    return CHANNEL_SCENE.format(time=time, length=length, cells_x=cells_x, cells_y=cells_y)
+
+
 class CoupledRun:
     """A coupler and the participants that its plan asks for, each a process in a folder of its own."""
 
-    def __init__(self, folder, scene, extra=(), resume=False, participant_options=(), participant_folders=None):
+    def __init__(self, folder, scene, extra=(), resume=False, participant_options=(), participant_folders=None,
+                 environment=None):
         self.folder = Path(folder)
+        self.folder.mkdir(exist_ok=True)
         self.out = self.folder / "run"
         self.participants = {}
         scene_file = self.out / "scene.toml" if resume else self.folder / "scene.toml"
@@ -86,7 +115,7 @@ class CoupledRun:
             folder = (participant_folders or {}).get(role, self.folder)
             self.participants[role] = start(
                 [program, "--connect", address[1], "--scene", plan["scene_fingerprint"], "--log", f"{role}.log",
-                 *participant_options], folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+                 *participant_options], folder, environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
 
     def __enter__(self):
         return self
@@ -140,8 +169,10 @@ class CoupledRun:
         return (self.out / "coupler.log").read_text()
 
 
-def start(command, folder, **streams):
-    return subprocess.Popen([str(word) for word in command], cwd=folder, text=True, stderr=subprocess.DEVNULL, **streams)
+def start(command, folder, environment=None, **streams):
+    """Starts a process; like the launcher with dense kernels in one thread, unless the environment says otherwise."""
+    return subprocess.Popen([str(word) for word in command], cwd=folder, text=True, stderr=subprocess.DEVNULL,
+                            env={"OPENBLAS_NUM_THREADS": "1"} | os.environ | (environment or {}), **streams)
 
 
 def run_coupler(*options):

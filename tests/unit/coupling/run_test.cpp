@@ -288,6 +288,21 @@ TEST_F(RunTest, resumed_at_its_checkpoint_a_run_ends_in_the_same_bits) {
   EXPECT_EQ(again.statistics().mean_sub_iterations(), run.statistics().mean_sub_iterations());
 }
 
+TEST_F(RunTest, a_resumed_run_that_takes_no_step_writes_no_fields) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.checkpoint_every = 5;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const Checkpoint checkpoint = read_checkpoint(folder.path(), scene::fingerprint(scene));
+  fluid.largest_step = 0;
+  CoupledRun again = make_run(scene);
+  again.resume({}, checkpoint);
+  EXPECT_THROW(again.march(), Error);
+  for (const char* name : {"fields.h5", "interface.h5"})
+    EXPECT_EQ(output::H5File::read(folder / name).list("/steps").size(), 1u) << name << ": the first step's";
+}
+
 TEST_F(RunTest, a_checkpoint_of_another_scene_is_refused) {
   scene::Scene scene = make_scene({disc("ball", "free")});
   scene.output.checkpoint_every = 5;

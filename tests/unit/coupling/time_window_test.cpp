@@ -235,6 +235,31 @@ TEST(AdaptiveSteps, a_step_that_does_not_converge_is_halved_and_grows_back_only_
   EXPECT_GT(window.step(), 1.5 * halved);
 }
 
+TEST(AdaptiveSteps, an_error_of_zero_lets_a_halved_step_grow_and_go_on_growing) {
+  TimeWindow window(adaptive(1e-3, 0.1, 10, 0, 0.3), 0);
+  window.halve();
+  for (int k = 0; k < TimeWindow::successes_to_regrow; ++k) window.accept({0, 3});
+  EXPECT_NEAR(window.step(), 0.1, 1e-3);
+  for (int k = 0; k < 2; ++k) window.accept({0, 3});
+  EXPECT_NEAR(window.step(), 0.3, 0.02);
+}
+
+TEST(AdaptiveSteps, without_an_error_a_halved_step_grows_back_to_the_given_one) {
+  TimeWindow window(adaptive(1e-3, 0.1, 9.99), 0);
+  for (int k = 0; k < 2; ++k) window.halve();
+  EXPECT_NEAR(window.step(), 0.025, 1e-3);
+  for (int k = 0; k < 3 * TimeWindow::successes_to_regrow; ++k) window.accept();
+  EXPECT_NEAR(window.step(), 0.1, 1e-3);
+}
+
+TEST(AdaptiveSteps, the_step_and_the_smallest_one_may_be_beyond_the_end) {
+  TimeWindow window(adaptive(1e-3, 10, 1, 1.5), 0);
+  EXPECT_EQ(window.step(), 1);
+  window.accept({1e-9, 3});
+  EXPECT_TRUE(window.done());
+  EXPECT_EQ(window.state().front(), 2) << "the step in force, twice the last one";
+}
+
 TEST(AdaptiveSteps, state_continues_to_the_bit) {
   TimeWindow window(adaptive(1e-3, 0.01, 5), 0.7), other = window;
   const auto stiffness = [](double t) { return 1 + 50 * std::sin(t) * std::sin(t); };

@@ -182,6 +182,25 @@ TEST(Life, requests_out_of_order_are_refused) {
   EXPECT_EQ(status.get(), 1);
 }
 
+TEST(Life, what_was_accepted_or_restored_is_not_accepted_again) {
+  const auto refusal = [](Message first) {
+    FluidRun run;
+    run.advance(1);
+    try {
+      if (std::holds_alternative<Accept>(first))
+        run.host.ask<Accepted>("fluid", {77, 1, 2}, first);
+      else
+        run.host.ask<Restored>("fluid", {77, 1, 2}, first);
+      run.host.ask<Accepted>("fluid", {77, 1, 2}, Accept{});
+    } catch (const ParticipantLost& e) {
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_NE(refusal(Accept{}).find("Accept must follow an advance"), std::string::npos);
+  EXPECT_NE(refusal(Restore{}).find("Accept must follow an advance"), std::string::npos);
+}
+
 TEST(Life, a_killed_participant_ends_the_run_with_its_name_and_phase) {
   Host host(options());
   StuckPeer child("fluid", host.address());

@@ -65,10 +65,16 @@ INSTANTIATE_TEST_SUITE_P(
              "drop.toml:5: time.steady must be false where bodies move freely; got true"},
         Case{"nothing_to_do", "[time]\nstep = 1\nend = 1\n",
              "drop.toml:1: fluid must be there where no body is free: nothing would happen; got nothing"},
-        Case{"hydraulic_radius", "hydraulic_radius_ratio = 1.5\n" + settling,
-             "drop.toml:1: hydraulic_radius_ratio must be a finite number in (0, 1]; got 1.5: correct it "
-             "(radius "
-             "that the fluid sees over the contact radius; below 1 touching discs let fluid through; polygons keep their size)"},
+        Case{"error_in_time_of_a_fluid",
+             "[time]\nstep = 1\nend = 1\nrelative_tolerance = 1e-3\n" + second_body,
+             "drop.toml:4: time.relative_tolerance must go with a [fluid], which estimates the error; got "
+             "0.001"},
+        Case{
+            "hydraulic_radius", "hydraulic_radius_ratio = 1.5\n" + settling,
+            "drop.toml:1: hydraulic_radius_ratio must be a finite number in (0, 1]; got 1.5: correct it "
+            "(radius "
+            "that the fluid sees over the contact radius; below 1 touching discs let fluid through; polygons "
+            "keep their size)"},
         Case{"one_viscosity", with(settling, "density = 1000", "density = 1000\ndynamic_viscosity = 1"),
              "drop.toml:10: fluid.dynamic_viscosity must be given, or kinematic_viscosity, and not both; got "
              "1"},
