@@ -9,7 +9,7 @@
 namespace fpi::fluid {
 namespace {
 
-constexpr double smallest_damping = 1.0 / 256;
+constexpr double smallest_damping = 0.25;
 constexpr double best_ratio = 0.05;  ///< a faster contraction is not trusted to go on
 
 /// Velocities below this are round-off of the pressure: p · min(h/μ, Δt/(ρh)) · 1e-13, times the root of the

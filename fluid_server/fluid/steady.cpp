@@ -9,7 +9,7 @@ namespace fpi::fluid {
 
 NewtonResult solve_steady(System& system, const Flow& flow, const scene::Newton& parameters, Iterate& iterate,
                           Monitor& monitor) {
-  constexpr double smallest_part = 1.0 / 128;
+  constexpr double smallest_part = 1.0 / 128, on_the_way = 1e-3;  // the latter of the velocity
   const TimeTerms time = TimeTerms::steady(static_cast<Index>(iterate.fields.u.size() / 2));
   Flow now = flow;
   now.convection = 0;
@@ -19,7 +19,10 @@ NewtonResult solve_steady(System& system, const Flow& flow, const scene::Newton&
     const double reached = now.convection;
     const Fields fields = iterate.fields;
     now.convection = std::min(reached + part, flow.convection);
-    const NewtonResult next = solve(system, now, time, parameters, iterate, monitor);
+    scene::Newton loose = parameters;
+    loose.relative_tolerance = std::max(on_the_way, parameters.relative_tolerance);
+    const bool is_last = now.convection == flow.convection;
+    const NewtonResult next = solve(system, now, time, is_last ? parameters : loose, iterate, monitor);
     result.iterations += next.iterations;
     result.update = next.update;
     if (next.converged) {
