@@ -80,14 +80,13 @@ def cavity(folder: Path) -> list[list[Run]]:
     def theirs(found):
         return {name: found[name] for name in ("u_min", "v_max", "v_min")}
 
-    def rung(side: float, growth: float, freefem_cells: int) -> list[Run]:
-        size = f"{side:g} at the sides"
-        sets = [f"fluid.mesh.refinements.0.size={side:g}", f"fluid.mesh.refinements.0.growth={growth:g}"]
-        return [fpi("fpi", size, "cavity_1000", folder, sets, ours),
-                fpi("fpi, MUMPS", size, "cavity_1000", folder, [*sets, "fluid.linear_solver=\"mumps\""], ours),
+    def rung(cells: int, freefem_cells: int) -> list[Run]:
+        sets = [f"fluid.mesh.cells_x={cells}", f"fluid.mesh.cells_y={cells}"]
+        return [fpi("fpi", f"{cells} cells", "cavity_1000", folder, sets, ours),
+                fpi("fpi, MUMPS", f"{cells} cells", "cavity_1000", folder, [*sets, "fluid.linear_solver=\"mumps\""], ours),
                 *freefem(f"{freefem_cells} cells", "cavity.edp", [freefem_cells], theirs)]
 
-    return [rung(0.02, 0.2, 24), rung(0.012, 0.1, 40), rung(0.01, 0.05, 64)]
+    return [rung(32, 24), rung(56, 40), rung(80, 64)]
 
 
 CASES = {

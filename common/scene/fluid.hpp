@@ -61,6 +61,7 @@ struct Mesh {
   std::string file;                       ///< Gmsh .msh (2.2 or 4.1); the coupler reads its bytes
   std::vector<double> lower, upper;       ///< corners of the rectangle [m]
   std::int64_t cells_x = 0, cells_y = 0;  ///< uniform division
+  double crowding = 0;                    ///< of its lines at the sides
   double cell_size = 0;                   ///< [m] graded division: size inside fine_region
   std::vector<double> fine_region;        ///< [x0, y0, x1, y1] [m]; empty: everywhere
   double growth = 1.15;                   ///< ratio of neighbouring cell sizes outside fine_region
@@ -76,6 +77,9 @@ struct Mesh {
     v.integer({"cells_x", "", "uniform division: cells along x, each of two triangles"}, cells_x,
               between(0, 100000));
     v.integer({"cells_y", "", "uniform division: cells along y"}, cells_y, between(0, 100000));
+    v.real({"crowding", "", "uniform division: its lines crowd at the sides; 0: not at all, 1: as a cosine"},
+           crowding, between(0, 1));
+    v.require(crowding == 0 || cells_x > 0, "crowding", "goes with cells_x and cells_y only");
     v.real({"cell_size", "m", "graded division: short side of the triangles inside fine_region"}, cell_size,
            not_negative());
     v.reals({"fine_region", "m", "graded division: [x0, y0, x1, y1] kept at cell_size; empty: everywhere"},

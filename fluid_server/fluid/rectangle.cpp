@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "fluid/bisection.hpp"
@@ -89,6 +90,15 @@ void refine(Bisection& mesh, const Vec2& lower, const Vec2& upper,
 std::vector<double> uniform_lines(double lower, double upper, Index cells) {
   std::vector<double> lines(cells + 1);
   for (Index i = 0; i <= cells; ++i) lines[i] = lower + (upper - lower) * i / cells;
+  return lines;
+}
+
+std::vector<double> crowded_lines(double lower, double upper, Index cells, double crowding) {
+  std::vector<double> lines = uniform_lines(0, 1, cells);
+  for (double& t : lines)
+    t = lower +
+        (upper - lower) * ((1 - crowding) * t + crowding * (0.5 - 0.5 * std::cos(std::numbers::pi * t)));
+  lines.back() = upper;
   return lines;
 }
 

@@ -98,6 +98,15 @@ TEST(Locator, finds_the_triangle_of_every_point) {
   EXPECT_FALSE(locator.find({-1, -1}));
 }
 
+TEST(Mesh, crowded_lines_are_symmetric_and_densest_at_the_sides) {
+  const auto uniform = crowded_lines(-1, 3, 8, 0), crowded = crowded_lines(-1, 3, 8, 1);
+  for (int i = 0; i <= 8; ++i) {
+    EXPECT_NEAR(uniform[i], -1 + 0.5 * i, 1e-14);
+    EXPECT_NEAR(crowded[i], 1 - 2 * std::cos(std::numbers::pi * i / 8), 1e-14);
+    EXPECT_NEAR(crowded[i] + crowded[8 - i], 2, 1e-14);
+  }
+}
+
 TEST(Mesh, a_boundary_name_without_outer_edges_is_refused) {
   const Mesh mesh = make_rectangle(uniform_lines(0, 1, 2), uniform_lines(0, 1, 2));
   std::vector<NamedEdge> edges;
