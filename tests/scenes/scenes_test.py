@@ -108,6 +108,14 @@ class Scenes(unittest.TestCase):
         self.assert_near(lift["max_time"], 5.693125, 3e-3)
         self.assert_near(summary["probes"]["pressure_difference"], -0.1116, 1e-2)
 
+    def test_cylinder_pulse_embedded(self):
+        summary = self.run_scene("cylinder_pulse_embedded", "output.fields=false")
+        drag, lift = summary["signals"]["drag"], summary["signals"]["lift"]
+        self.assert_near(drag["max"], 2.950921575, 4e-3)
+        self.assert_near(drag["max_time"], 3.93625, 3e-3)
+        self.assert_near(lift["max"], 0.47795, 1.5e-2)
+        self.assert_near(lift["max_time"], 5.693125, 3e-3)
+
     def test_two_cylinders_start(self):
         """Half a second of rising inflow: both meshes agree, and the second cylinder, in the lee, drags less."""
         drag = []
