@@ -205,7 +205,8 @@ class Run:
         if first:
             self.interrupted_at = time.monotonic()
             self.display.say("Ending the run: files are closed, all programs are told. (Ctrl-C again: at once.)")
-        self.stopped_at_once = not first
+        else:  # possibly inside the handling of the first
+            self.stopped_at_once = True
         for child in [self.coupler] if first else [self.coupler, *self.participants]:
             if child is not None and child.status is None:
                 child.signal(signal.Signals(number) if first else signal.SIGKILL)

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "fluid/element.hpp"
 #include "fluid/quadrature.hpp"
 
 namespace fpi::fluid {
@@ -140,9 +139,8 @@ void Boundary::add_tractions(double t, std::span<const Outline> bodies, Vector& 
         const Vec2 x = edge_point(edge, s);
         const Vec2 traction(part.x(x.x(), x.y(), t), part.y(x.x(), x.y(), t));
         const double weight = point.weight * (end - start) * edge_tangent(edge, s).norm();
-        const Padded n = p2_at({1 - s, s, 0});
-        const std::array<double, 3> values{n[0], n[1], n[3]};
-        for (int i = 0; i < 3; ++i) load.segment<2>(2 * nodes[i]) += weight * values[i] * traction;
+        const auto n = edge_shape(s);
+        for (int i = 0; i < 3; ++i) load.segment<2>(2 * nodes[i]) += weight * n[i] * traction;
       }
   }
 }

@@ -13,12 +13,6 @@ namespace {
 
 using Vectors3 = Eigen::Matrix<double, 2, 3>;  // at both ends and the middle of a line
 
-Eigen::Vector3d line_shape(double s) { return {(1 - s) * (1 - 2 * s), s * (2 * s - 1), 4 * s * (1 - s)}; }
-
-EdgeNodes places(const Mesh& mesh, const std::array<Index, 3>& nodes) {
-  return {mesh.node_position(nodes[0]), mesh.node_position(nodes[1]), mesh.node_position(nodes[2])};
-}
-
 /// Integrals over a boundary, of which the last two are worth something where it is closed: length, ∫ x,
 /// area inside and ∫ x over it (Green).
 struct Measures {
@@ -73,7 +67,7 @@ void BoundaryTractions::find_curves(const Boundary& boundary) {
     Line& line = lines_.emplace_back();
     line.curve = curve;
     line.nodes = mesh_.edge_nodes(b.edge);
-    add(places(mesh_, line.nodes), direction_of(mesh_, b), measures[curve]);
+    add(mesh_.places(line.nodes), direction_of(mesh_, b), measures[curve]);
     for (int end = 0; end < 2; ++end) ++lines_at[curve][line.nodes[end]];
   }
   for (std::size_t i = 0; i < curves_.size(); ++i) {
@@ -87,7 +81,7 @@ bool BoundaryTractions::is_corner(const std::vector<End>& ends) const {
   if (ends.size() == 1) return false;  // beside an open boundary, whose traction is known
   if (ends.size() > 2 || lines_[ends[0].line].curve != lines_[ends[1].line].curve) return true;
   const auto inwards = [&](const End& end) -> Vec2 {
-    const Vec2 tangent = edge_tangent(places(mesh_, lines_[end.line].nodes), end.end);
+    const Vec2 tangent = edge_tangent(mesh_.places(lines_[end.line].nodes), end.end);
     return (end.end == 0 ? 1 : -1) * tangent.normalized();
   };
   return -inwards(ends[0]).dot(inwards(ends[1])) < 0.5 * std::numbers::sqrt3;
@@ -126,11 +120,11 @@ void BoundaryTractions::number_points() {
 
 void BoundaryTractions::integrate() {
   for (Line& line : lines_) {
-    const EdgeNodes x = places(mesh_, line.nodes);
+    const EdgeNodes x = mesh_.places(line.nodes);
     line.mass.setZero();
     line.moment.setZero();
     for (const LinePoint& point : gauss_legendre(6)) {
-      const Eigen::Vector3d n = line_shape(point.s);
+      const Eigen::Vector3d n(edge_shape(point.s).data());
       const double w = point.weight * edge_tangent(x, point.s).norm();
       line.mass += w * n * n.transpose();
       line.moment += w * (edge_point(x, point.s) - curves_[line.curve].centre) * n.transpose();

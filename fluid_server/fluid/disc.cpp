@@ -10,6 +10,11 @@ double nearest(const Vec2& a, const Vec2& b, const Vec2& x) {
   return d.dot(x - a) / d.squaredNorm();
 }
 
+double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& x) {
+  const double t = a == b ? 0.0 : std::clamp(nearest(a, b, x), 0.0, 1.0);
+  return (a + t * (b - a) - x).norm();
+}
+
 Crossings crossings(const Vec2& a, const Vec2& b, const Disc& disc) {
   const bool a_inside = disc.contains(a), b_inside = disc.contains(b);
   if (a_inside && b_inside) return {};

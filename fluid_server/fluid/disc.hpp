@@ -43,6 +43,8 @@ Crossings crossings(const Vec2& a, const Vec2& b, const Disc& disc);
 
 /// Parameter of the point of a + t (b − a) that is nearest to x.
 double nearest(const Vec2& a, const Vec2& b, const Vec2& x);
+/// Distance of x from the segment from a to b, which may be a point [m].
+double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& x);
 
 /// Appends the angles in [0, 2π) at which the segment from a to b, or another circle, crosses the circle.
 void add_crossings(const Disc& disc, const Vec2& a, const Vec2& b, std::vector<double>& angles);

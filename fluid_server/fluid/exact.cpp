@@ -48,8 +48,7 @@ FlowErrors flow_errors(const Mesh& mesh, const CutMesh& cut, const State& state,
     const auto found = cut_cells.find(c);
     const bool is_cut = found != cut_cells.end();
     const auto nodes = mesh.cell_nodes(c);
-    std::array<Vec2, 6> places;
-    for (int i = 0; i < 6; ++i) places[i] = mesh.node_position(nodes[i]);
+    const CellNodes places = mesh.cell_places(c);
     for (const ElementPoint& point : is_cut ? found->second->points : folded_points()) {
       const Metric<double> metric = metric_at(places, point.shape);
       const Vec2 x = position_at(places, point.shape.n);

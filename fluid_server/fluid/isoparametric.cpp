@@ -44,8 +44,13 @@ std::optional<Vec2> folded_place(const CellNodes& nodes) {
   return std::nullopt;
 }
 
+std::array<double, 3> edge_shape(double s) {
+  return {(1 - s) * (1 - 2 * s), s * (2 * s - 1), 4 * s * (1 - s)};
+}
+
 Vec2 edge_point(const EdgeNodes& nodes, double s) {
-  return (1 - s) * (1 - 2 * s) * nodes[0] + s * (2 * s - 1) * nodes[1] + 4 * s * (1 - s) * nodes[2];
+  const auto n = edge_shape(s);
+  return n[0] * nodes[0] + n[1] * nodes[1] + n[2] * nodes[2];
 }
 
 Vec2 edge_tangent(const EdgeNodes& nodes, double s) {

@@ -22,6 +22,8 @@ std::optional<Barycentric> isoparametric_inverse(const CellNodes& nodes, const V
 /// Where the map is folded: a corner, middle or quadrature point whose Jacobian is not positive.
 std::optional<Vec2> folded_place(const CellNodes& nodes);
 
+/// P2 functions of the nodes of an edge at s in [0, 1].
+std::array<double, 3> edge_shape(double s);
 /// The parabola through the nodes of an edge at s in [0, 1], from start to end.
 Vec2 edge_point(const EdgeNodes& nodes, double s);
 /// dx/ds [m]; its norm is the length element, (y, −x) of it the normal to the right of the way.

@@ -78,31 +78,37 @@ NewtonResult NavierStokes::start_step(const Request& request) {
     system_ = std::make_shared<System>(space_, settings_.fluid, request.interfaces, settings_.bodies_move,
                                        monitor.ledger);
   }
-  const bool steady = request.time_step == 0;
-  const Mesh& mesh = space_.mesh;
   start_ = accepted_;
   NewtonResult result;
   result.converged = true;
-  if (!steady && !start_.has_acceleration && settings_.fluid.newmark_gamma < 1 && !settings_.bodies_move)
+  if (request.time_step > 0 && !start_.has_acceleration && settings_.fluid.newmark_gamma < 1 &&
+      !settings_.bodies_move)
     result = begin(request);
-  if (steady) {
-    time_terms_ = TimeTerms::steady(mesh.n_nodes());
-  } else if (start_.damped_steps > 0) {
-    gamma_ = Vector::Ones(mesh.n_nodes());
-    time_terms_ = newmark(start_.u, start_.acceleration, 0.5 * request.time_step, gamma_);
-  } else {
-    // Bodies that move start with backward Euler: their first acceleration is a result of the coupling.
-    const double gamma = start_.has_acceleration ? settings_.fluid.newmark_gamma : 1;
-    gamma_ = settings_.bodies_move ? gamma_of_nodes(mesh, system_->cut(), gamma)
-                                   : Vector::Constant(mesh.n_nodes(), gamma);
-    time_terms_ = newmark(start_.u, start_.acceleration, request.time_step, gamma_);
-  }
+  set_time_terms(request.time_step);
   system_->set_load(request.time, body_force_);
-  base_.fields = {guess(request.time_step), start_.p, Vector::Zero(2 * system_->cut().n_multipliers())};
+  base_.fields = with_multipliers(guess(request.time_step), start_.p);
   if (start_.damped_steps > 0) return result;  // with the factor of the first half
   base_.factor = nullptr;
   if (system_ == accepted_system_) kept_.lend(base_, time_terms_.inertia, flow_.convection == 0);
   return result;
+}
+
+void NavierStokes::set_time_terms(double time_step) {
+  const Mesh& mesh = space_.mesh;
+  if (time_step == 0) {
+    time_terms_ = TimeTerms::steady(mesh.n_nodes());
+    return;
+  }
+  const bool second_half = start_.damped_steps > 0;  // of a damped step
+  // Bodies that move start with backward Euler: their first acceleration is a result of the coupling.
+  const double gamma = start_.has_acceleration ? settings_.fluid.newmark_gamma : 1;
+  gamma_ = settings_.bodies_move ? gamma_of_nodes(mesh, system_->cut(), gamma)
+                                 : Vector::Constant(mesh.n_nodes(), gamma);
+  time_terms_ = newmark(start_.u, start_.acceleration, second_half ? 0.5 * time_step : time_step, gamma_);
+}
+
+Fields NavierStokes::with_multipliers(const Vector& u, const Vector& p) const {
+  return {u, p, Vector::Zero(2 * system_->cut().n_multipliers())};
 }
 
 /// A start from rest into a given inflow has an acceleration that no guess should follow for a whole step;
@@ -138,8 +144,7 @@ NewtonResult NavierStokes::begin(const Request& request) {
 NewtonResult NavierStokes::first_half_step(const Request& request) {
   const double half = 0.5 * request.time_step;
   const TimeTerms terms = newmark(start_.u, start_.acceleration, half, Vector::Ones(space_.mesh.n_nodes()));
-  Iterate& iterate =
-      base_ = {{start_.u, start_.p, Vector::Zero(2 * system_->cut().n_multipliers())}, nullptr, 0};
+  Iterate& iterate = base_ = {with_multipliers(start_.u, start_.p), nullptr, 0};
   if (system_ == accepted_system_) kept_.lend(iterate, terms.inertia, flow_.convection == 0);
   system_->set_velocities(request.interfaces);
   system_->set_load(request.time - half, body_force_);
@@ -156,7 +161,7 @@ NewtonResult NavierStokes::find_consistent_start(const Request& request, State& 
   const double tiny = 1e-6 * request.time_step;
   const Vector ones = Vector::Ones(space_.mesh.n_nodes());
   system_->set_velocities(request.interfaces);
-  Iterate iterate{{start.u, start.p, Vector::Zero(2 * system_->cut().n_multipliers())}, nullptr, 0};
+  Iterate iterate{with_multipliers(start.u, start.p), nullptr, 0};
   NewtonResult result;
   for (const double t : {start.time, start.time + tiny}) {
     start.u = iterate.fields.u;
@@ -294,9 +299,9 @@ std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
 
 FlowErrors NavierStokes::errors(const ExactFlow& exact) const {
   const bool closed = boundary_recovery_.curves().size() == space_.mesh.boundary_names.size();
-  const CutMesh uncut = cut_mesh(space_.mesh, space_.locator, {});
-  return flow_errors(space_.mesh, accepted_system_ ? accepted_system_->cut() : uncut, accepted_, exact,
-                     closed);
+  return flow_errors(space_.mesh,
+                     accepted_system_ ? accepted_system_->cut() : cut_mesh(space_.mesh, space_.locator, {}),
+                     accepted_, exact, closed);
 }
 
 /// The residual of the nodes that a boundary holds is what it does to the fluid, to the order of the scheme.

@@ -85,6 +85,9 @@ class NavierStokes {
 
  private:
   NewtonResult start_step(const Request& request);
+  void set_time_terms(double time_step);
+  /// u and p [m/s, Pa], and no multiplier yet.
+  Fields with_multipliers(const Vector& u, const Vector& p) const;
   NewtonResult begin(const Request& request);
   NewtonResult find_consistent_start(const Request& request, State& start);
   NewtonResult first_half_step(const Request& request);

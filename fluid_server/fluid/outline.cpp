@@ -39,8 +39,8 @@ std::vector<Stretch> uncovered(const Vec2& a, const Vec2& b, std::span<const Out
     // Corners on the segment, where a side may run along it.
     for (int corner = 0; corner < outline.n_corners(); ++corner) {
       const Vec2 x = outline.at(corner);
-      const double at = std::clamp(nearest(a, b, x), 0.0, 1.0);
-      if ((a + at * (b - a) - x).norm() < 2 * outline.hair()) t.push_back(at);
+      if (distance_to_segment(a, b, x) < 2 * outline.hair())
+        t.push_back(std::clamp(nearest(a, b, x), 0.0, 1.0));
     }
   }
   std::sort(t.begin(), t.end());

@@ -67,8 +67,7 @@ double Polygon::distance(const Vec2& x) const {
   double nearest_one = std::numeric_limits<double>::infinity();
   for (int k = 0; k < size(); ++k) {
     const auto [from, to] = side(k);
-    const double t = std::clamp(nearest(from, to, x), 0.0, 1.0);
-    nearest_one = std::min(nearest_one, (from + t * (to - from) - x).norm());
+    nearest_one = std::min(nearest_one, distance_to_segment(from, to, x));
   }
   return contains(x) ? -nearest_one : nearest_one;
 }

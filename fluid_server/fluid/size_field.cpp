@@ -3,18 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "fluid/disc.hpp"
+
 namespace fpi::fluid {
-namespace {
-
-double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& x) {
-  const Vec2 along = b - a;
-  const double length2 = along.squaredNorm();
-  const double s = length2 > 0 ? std::clamp(along.dot(x - a) / length2, 0.0, 1.0) : 0.0;
-  return (a + s * along - x).norm();
-}
-
-}  // namespace
-
 double distance(const scene::Refinement& region, const Vec2& x) {
   if (!region.box.empty()) {
     const auto& b = region.box;

@@ -1,0 +1,182 @@
+/// What a run leaves: fields, history, figures, checkpoints.
+#include "run_case.hpp"
+
+namespace fpi {
+namespace {
+
+TEST_F(RunTest, fields_are_written_after_the_first_step_at_each_interval_and_at_the_end) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.interval = 0.5;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  for (const char* name : {"fields.h5", "interface.h5"}) {
+    const output::H5File file = output::H5File::read(folder / name);
+    std::vector<double> times;
+    for (const std::string& step : file.list("/steps"))
+      times.push_back(file.attribute("/steps/" + step, "time"));
+    ASSERT_EQ(times.size(), 4u) << name;
+    EXPECT_EQ((std::vector<double>(times.begin() + 1, times.end())), (std::vector<double>{0.5, 1, 1.2}))
+        << name;
+  }
+}
+
+TEST_F(RunTest, without_fields_asked_for_none_are_gathered) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.fields = false;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_FALSE(std::filesystem::exists(folder / "fields.h5"));
+  EXPECT_EQ(history_lines(), 12u);
+}
+
+TEST_F(RunTest, a_fluid_without_fields_still_has_its_tractions_written) {
+  fluid.has_fields = false;
+  const scene::Scene scene = make_scene({disc("ball", "free")});
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_FALSE(std::filesystem::exists(folder / "fields.h5"));
+  EXPECT_EQ(output::H5File::read(folder / "interface.h5").list("/steps").size(), 2u);
+}
+
+TEST_F(RunTest, resumed_at_its_checkpoint_a_run_ends_in_the_same_bits) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.interval = 0.3;
+  scene.output.checkpoint_every = 5;
+  fluid.largest_step = 0.06;  // with halved and regrown steps on both sides of the checkpoint
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const std::string history = read_text_file(folder / "history.csv");
+  const std::string xdmf = read_text_file(folder / "fields.xdmf");
+  const std::vector<double> position = output::H5File::read(folder / "bodies.h5").doubles("/position");
+
+  FakeFluid new_fluid;
+  new_fluid.largest_step = fluid.largest_step;
+  FakeDem other_dem = new_dem();
+  CoupledRun again(scene, {&new_fluid, &other_dem}, folder.path(), 2, ledger);
+  again.resume({}, read_checkpoint(folder.path(), scene::fingerprint(scene)));
+  EXPECT_LT(history_lines(), run.statistics().steps());
+  again.march();
+  EXPECT_LT(new_fluid.accepts, fluid.accepts);
+  EXPECT_EQ(read_text_file(folder / "history.csv"), history);
+  EXPECT_EQ(read_text_file(folder / "fields.xdmf"), xdmf);
+  EXPECT_EQ(output::H5File::read(folder / "bodies.h5").doubles("/position"), position);
+  EXPECT_EQ(again.statistics().steps(), run.statistics().steps());
+  EXPECT_EQ(again.statistics().mean_sub_iterations(), run.statistics().mean_sub_iterations());
+}
+
+TEST_F(RunTest, a_resumed_run_that_takes_no_step_writes_no_fields) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.checkpoint_every = 5;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const Checkpoint checkpoint = read_checkpoint(folder.path(), scene::fingerprint(scene));
+  fluid.largest_step = 0;
+  CoupledRun again = make_run(scene);
+  again.resume({}, checkpoint);
+  EXPECT_THROW(again.march(), Error);
+  for (const char* name : {"fields.h5", "interface.h5"})
+    EXPECT_EQ(output::H5File::read(folder / name).list("/steps").size(), 1u) << name << ": the first step's";
+}
+
+TEST_F(RunTest, a_checkpoint_of_another_scene_is_refused) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.checkpoint_every = 5;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  scene::Scene other = scene;
+  other.fluid->density = 2;
+  EXPECT_NO_THROW(read_checkpoint(folder.path(), scene::fingerprint(scene)));
+  EXPECT_THROW(read_checkpoint(folder.path(), scene::fingerprint(other)), Error);
+}
+
+TEST_F(RunTest, without_a_checkpoint_resuming_says_what_to_do) {
+  try {
+    read_checkpoint(folder.path(), 1);
+    FAIL() << "it resumed";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("output.checkpoint_every"), std::string::npos) << e.what();
+  }
+}
+
+TEST_F(RunTest, drag_lift_and_probes_are_reported_of_boundaries_and_bodies) {
+  scene::Scene scene = make_scene({disc("post", "fixed")});
+  scene.thickness = 0.5;
+  scene.coefficients = {{.name = "", .on = "left", .velocity = 2, .length = 0.25}};
+  scene.probes = {{.name = "p", .point = {0, 0}, .minus = {}}};
+  const auto lift = [&] {
+    CoupledRun run = make_run(scene);
+    run.start({});
+    run.march();
+    EXPECT_EQ(run.last_reported().probes, std::vector{static_cast<double>(fluid.accepts)});
+    return run.last_reported().coefficients.at(0).lift;
+  };
+  EXPECT_DOUBLE_EQ(lift(), 2 * 6 / (1 * 4 * 0.25 * 0.5));
+  scene.coefficients[0].on = "post";
+  EXPECT_DOUBLE_EQ(lift(), 2 * 0.5 / (1 * 4 * 0.25 * 0.5));
+}
+
+TEST_F(RunTest, loads_of_boundaries_that_hold_the_fluid_are_columns_of_the_history) {
+  scene::Scene scene = make_scene({});
+  scene.fluid->boundaries["left"].type = "no_slip";
+  scene.fluid->boundaries["right"].type = "traction";
+  scene.fluid->boundaries["top"].type = "slip";
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const output::Columns history = output::read_columns(folder / "history.csv");
+  EXPECT_EQ(history.at("left.fx").back(), 4);
+  EXPECT_EQ(history.at("left.fy").back(), 6);
+  EXPECT_TRUE(std::isnan(history.at("top.torque").back())) << "the fluid did not say";
+  EXPECT_FALSE(history.contains("right.fx"));
+}
+
+TEST_F(RunTest, several_coefficients_have_columns_of_their_own_and_extrema_over_the_second_half) {
+  scene::Scene scene = make_scene({disc("post", "fixed")});
+  scene.coefficients = {{.name = "wall", .on = "left", .velocity = 1, .length = 1},
+                        {.name = "post", .on = "post", .velocity = 1, .length = 1}};
+  scene.probes = {{.name = "p", .point = {0, 0}, .minus = {}}};
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const output::Columns history = output::read_columns(folder / "history.csv");
+  EXPECT_EQ(history.at("wall.lift").back(), 12);
+  EXPECT_EQ(history.at("post.lift").back(), 1);
+  const MeasuredSignals signals = measure_signals(scene, folder.path());
+  EXPECT_EQ(signals.size(), 5u);
+  EXPECT_EQ(signals.at("p").figures.smallest.value, 6) << "12 steps, p counts them";
+  EXPECT_EQ(signals.at("p").figures.largest.value, 12);
+  EXPECT_FALSE(signals.at("wall.lift").strouhal) << "it does not oscillate";
+  write_extrema(signals, folder.path());
+  EXPECT_TRUE(std::filesystem::exists(folder / "extrema.csv"));
+}
+
+TEST_F(RunTest, a_probe_without_a_value_is_written_as_nan_and_the_run_goes_on) {
+  scene::Scene scene = make_scene({});
+  scene.probes = {{.name = "q", .point = {0, 0}, .minus = {}}};
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_TRUE(std::isnan(run.last_reported().probes.at(0)));
+}
+
+TEST_F(RunTest, a_boundary_force_that_the_fluid_does_not_report_is_an_error_that_names_it) {
+  scene::Scene scene = make_scene({});
+  scene.coefficients = {{.name = "", .on = "wall", .velocity = 1, .length = 1}};
+  CoupledRun run = make_run(scene);
+  run.start({});
+  try {
+    run.march();
+    FAIL() << "it went on";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("\"force_x:wall\""), std::string::npos) << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace fpi
