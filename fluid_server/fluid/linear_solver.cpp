@@ -35,10 +35,14 @@ const Backend& find(std::string_view solver) {
 
 }  // namespace
 
-Vector Factor::solve(const Vector& b) const {
+Vector Factor::solve(const Vector& b) const { return checked_solve(b, Form::plain); }
+
+Vector Factor::solve_transposed(const Vector& b) const { return checked_solve(b, Form::transposed); }
+
+Vector Factor::checked_solve(const Vector& b, Form form) const {
   require(!is_singular_, "a regular matrix is required to solve with; this one is singular");
   require(b.size() == n_, "a right-hand side of {} entries is required; got {}", n_, b.size());
-  return back_solve(b);
+  return back_solve(b, form);
 }
 
 std::shared_ptr<const Factor> Analysis::factor(const BlockMatrix& matrix) const {

@@ -20,6 +20,8 @@ class Factor {
   /// x with A x = b. Throws Error unless b has as many entries as there are equations and the matrix is
   /// regular.
   Vector solve(const Vector& b) const;
+  /// x with Aᵀ x = b; throws as `solve`.
+  Vector solve_transposed(const Vector& b) const;
 
   bool is_singular() const { return is_singular_; }
   /// What making this factor and solving with it take: seconds on a typical core, computed from counts, so
@@ -28,12 +30,17 @@ class Factor {
   double solve_cost() const { return solve_cost_; }
 
  protected:
+  enum class Form { plain, transposed };
+
   explicit Factor(Index n) : n_(n) {}
-  virtual Vector back_solve(const Vector& b) const = 0;
+  virtual Vector back_solve(const Vector& b, Form form) const = 0;
 
   Index n_;
   bool is_singular_ = false;
   double factor_cost_ = 0, solve_cost_ = 0;
+
+ private:
+  Vector checked_solve(const Vector& b, Form form) const;
 };
 
 /// The ordering of a pattern, found once and shared by all factors of it.

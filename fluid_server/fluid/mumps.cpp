@@ -14,7 +14,7 @@ enum class Job : int { start = -1, end = -2, analyse = 1, factor = 2, solve = 3 
 /// The numbers of the manual, which count from 1.
 namespace control {
 constexpr int error_output = 1, diagnostic_output = 2, global_output = 3, verbosity = 4, transversal = 6,
-              ordering = 7, refinement = 10, memory_relaxation = 14;
+              ordering = 7, form = 9, refinement = 10, memory_relaxation = 14;
 }
 namespace status {
 constexpr int structurally_singular = -6, integer_space = -8, real_space = -9, singular = -10,
@@ -83,8 +83,9 @@ class Instance {
     return true;
   }
 
-  Vector solve(const Vector& b) {
+  Vector solve(const Vector& b, bool transposed) {
     Vector x = b;
+    icntl(control::form) = transposed ? 2 : 1;
     m_.rhs = x.data();
     run(Job::solve);
     m_.rhs = nullptr;
@@ -150,7 +151,9 @@ class MumpsFactor final : public Factor {
   ~MumpsFactor() override { instances_->give_back(std::move(instance_)); }
 
  private:
-  Vector back_solve(const Vector& b) const override { return instance_->solve(b); }
+  Vector back_solve(const Vector& b, Form form) const override {
+    return instance_->solve(b, form == Form::transposed);
+  }
 
   std::shared_ptr<Instances> instances_;
   std::unique_ptr<Instance> instance_;

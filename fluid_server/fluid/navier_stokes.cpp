@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "fluid/condition.hpp"
 #include "fluid/steady.hpp"
 
 namespace fpi::fluid {
@@ -265,6 +266,11 @@ void NavierStokes::drop_caches() {
 
 double NavierStokes::arc_length(const Outline& outline) const {
   return wanted_arc_length(space_.mesh, space_.locator, outline, settings_.fluid.embedding.arc_ratio);
+}
+
+double NavierStokes::condition() {
+  require(system_ != nullptr, "a step is required before the condition of its matrix is known");
+  return condition_estimate(system_->matrix(), *system_->factor(monitor.ledger));
 }
 
 std::vector<bool> NavierStokes::active_cells() const {

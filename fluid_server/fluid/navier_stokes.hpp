@@ -68,6 +68,8 @@ class NavierStokes {
   /// Velocity of each node of the accepted state for pictures [m/s]: inside a body it is the body's, where
   /// the solution itself only has what cut elements extend.
   Vector velocity_with_bodies() const;
+  /// Of the Jacobian as it was last assembled, see `condition_estimate`; factors it anew.
+  double condition();
   Index n_unknowns() const { return system_ ? system_->numbering().n_equations : 0; }
   const Locator& locator() const { return space_.locator; }
   bool has(const Vec2& x) const { return space_.locator.find(x).has_value(); }

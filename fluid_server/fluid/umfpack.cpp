@@ -49,13 +49,13 @@ class UmfpackFactor final : public Factor {
   ~UmfpackFactor() override { umfpack_di_free_numeric(&numeric_); }
 
  private:
-  Vector back_solve(const Vector& b) const override {
+  Vector back_solve(const Vector& b, Form form) const override {
     const Control control = control_for(n_);
     Info info;
     Vector x(n_);
     // The matrix itself is needed for iterative refinement only.
-    const int status = umfpack_di_solve(UMFPACK_A, nullptr, nullptr, nullptr, x.data(), b.data(), numeric_,
-                                        control.data(), info.data());
+    const int status = umfpack_di_solve(form == Form::plain ? UMFPACK_A : UMFPACK_At, nullptr, nullptr,
+                                        nullptr, x.data(), b.data(), numeric_, control.data(), info.data());
     check(status, "solution", n_);
     return x;
   }

@@ -7,7 +7,7 @@ namespace {
 
 struct FakeFactor : Factor {
   FakeFactor() : Factor(1) {}
-  Vector back_solve(const Vector& b) const override { return b; }
+  Vector back_solve(const Vector& b, Form) const override { return b; }
 };
 
 const Vector inertia = Vector::Constant(3, 100.0);

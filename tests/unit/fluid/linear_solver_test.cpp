@@ -63,6 +63,13 @@ TEST_P(DirectSolver, solves_saddle_point_systems_to_round_off) {
   }
 }
 
+TEST_P(DirectSolver, solves_the_transposed_system_with_the_same_factor) {
+  const SaddlePoint system;
+  const auto factor = analysis(system.matrix)->factor(system.matrix);
+  EXPECT_LT((factor->solve_transposed(system.dense.transpose() * x) - x).norm(), 1e-9);
+  EXPECT_LT((factor->solve(system.dense * x) - x).norm(), 1e-9);
+}
+
 TEST_P(DirectSolver, keeps_each_factor_when_the_matrix_changes_and_others_are_made) {
   SaddlePoint system(1);
   const Eigen::MatrixXd first = system.dense;

@@ -1,6 +1,7 @@
 /// What the verification cases share: a flow set up in a few lines, error norms, and the fit of an order.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -63,6 +64,22 @@ inline Interface circle(Index body, const Vec2& centre, double radius, double le
     out.start.push_back(turn + two_pi * a / n);
     out.end.push_back(turn + two_pi * (a + 1) / n);
   }
+  return out;
+}
+
+/// A polygon about its centre, turned, its sides cut into edges near `length` long.
+inline Interface polygon(const Vec2& centre, std::vector<Vec2> corners, double length, double angle = 0) {
+  const Eigen::Rotation2Dd turn(angle);
+  for (Vec2& x : corners) x = centre + turn * x;
+  std::vector<Vec2> vertices;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec2 along = corners[(k + 1) % corners.size()] - corners[k];
+    const int n = std::max(1, static_cast<int>(std::lround(along.norm() / length)));
+    for (int e = 0; e < n; ++e) vertices.push_back(corners[k] + along * (static_cast<double>(e) / n));
+  }
+  Interface out;
+  out.rigid.centre = centre;
+  set_edges(out, vertices);
   return out;
 }
 

@@ -1,8 +1,6 @@
 /// Polygons embedded in the mesh, against exact flows and against a mesh that fits them.
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-
 #include "fluid_case.hpp"
 
 namespace fpi::fluid {
@@ -10,22 +8,6 @@ namespace {
 
 using namespace testing;
 constexpr double pi = std::numbers::pi;
-
-/// A polygon about its centre, turned, its sides cut into edges near `length` long.
-Interface polygon(const Vec2& centre, std::vector<Vec2> corners, double length, double angle = 0) {
-  const Eigen::Rotation2Dd turn(angle);
-  for (Vec2& x : corners) x = centre + turn * x;
-  std::vector<Vec2> vertices;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec2 along = corners[(k + 1) % corners.size()] - corners[k];
-    const int n = std::max(1, static_cast<int>(std::lround(along.norm() / length)));
-    for (int e = 0; e < n; ++e) vertices.push_back(corners[k] + along * (static_cast<double>(e) / n));
-  }
-  Interface out;
-  out.rigid.centre = centre;
-  set_edges(out, vertices);
-  return out;
-}
 
 std::vector<Vec2> box(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
