@@ -68,6 +68,15 @@ def parser() -> argparse.ArgumentParser:
     bench = word("bench", do_bench, "run time against error on the benchmark flows, beside FreeFem++ and dolfinx")
     bench.add_argument("subject", nargs="?", choices=("fluid",), default="fluid", help="what is measured")
     bench.add_argument("rest", nargs=argparse.REMAINDER, metavar="...", help="its options; -h names them")
+    stressing = word("stress", do_stress, "random cases of embedded bodies: which survive, how exact and how quiet they are")
+    stressing.add_argument("subject", nargs="?", choices=("interface",), default="interface", help="what is tried")
+    stressing.add_argument("--seed", type=positive, default=1, metavar="N", help="of the random numbers (default 1)")
+    stressing.add_argument("--cases", type=positive, metavar="N", help="how many, about (default 260; 20 with --quick)")
+    stressing.add_argument("--only", metavar="CASE", help="one case by its name, with all it says")
+    stressing.add_argument("--quick", action="store_true", help="coarse meshes and few steps: seconds")
+    stressing.add_argument("--jobs", type=positive, metavar="N", help="cases at a time (default: all cores)")
+    stressing.add_argument("--out", type=Path, metavar="FILE", default=ROOT / "runs" / "stress.json", help="all results as JSON")
+    stressing.add_argument("--json", action="store_true", help="print them, and nothing else")
     word("paper", do_paper, "run the flows of the paper and write docs/paper.md with their pictures")
     keys = word("keys", do_keys, "make the keys for runs across machines")
     keys.add_argument("folder", type=Path, metavar="DIR", help="folder for the keys")
@@ -184,6 +193,21 @@ def do_bench(arguments) -> int:
     build.build()
     script = ROOT / "bench" / f"{arguments.subject}.py"
     return subprocess.run([sys.executable, "-I", str(script), *arguments.rest], check=False).returncode
+
+
+def do_stress(arguments) -> int:
+    ensure_programs(arguments.json)
+    from launcher import stress
+
+    sweep = stress.Sweep(arguments.seed, arguments.cases or (20 if arguments.quick else 260), arguments.only, arguments.quick)
+    results = sweep.run(arguments.jobs, arguments.json)
+    stress.write(arguments.out, sweep, results)
+    if arguments.json or arguments.only:
+        print(json.dumps(results, indent=1))
+    else:
+        print(stress.table(sweep.titles(), results))
+    print(stress.failures(sweep, results), file=sys.stderr)
+    return int(any(row["failure"] and not row["refused"] for row in results))
 
 
 def do_paper(_arguments) -> int:

@@ -11,7 +11,7 @@ namespace {
 
 /// Why the accepted step is no sensible one; "" where it is.
 std::string out_of_bounds(const NavierStokes& solver, const Result& result, const Bounds& bounds) {
-  const double velocity = solver.state().u.lpNorm<Eigen::Infinity>();
+  const double velocity = solver.velocity_with_bodies().lpNorm<Eigen::Infinity>();
   if (!(velocity <= bounds.velocity))
     return fmt::format("the velocity reaches {:.3g} m/s; up to {:.3g} were expected", velocity,
                        bounds.velocity);
@@ -42,8 +42,9 @@ History march(NavierStokes& solver, const Bodies& bodies, double time_step, int 
     try {
       const double t = step * time_step;
       problem = take_step(solver, {t, time_step, 0, bodies(t, solver)}, bounds, history);
-    } catch (const std::exception& e) {
+    } catch (const Error& e) {
       problem = e.what();
+      history.refused = true;
     }
     if (!problem.empty()) history.failure = fmt::format("step {} of {}: {}", step, steps, problem);
   }

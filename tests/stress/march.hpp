@@ -24,6 +24,7 @@ struct History {
   std::vector<std::vector<Load>> loads;  ///< of each step, of each body
   double corrections = 0;                ///< a step, on average
   std::string failure;                   ///< why the run ended early; "" where it did not
+  bool refused = false;                  ///< it ended early with an Error, the fluid's own sentence
 };
 
 /// Beyond these a run counts as blown up.

@@ -1,0 +1,107 @@
+"""`./fpi stress interface`: random cases of bodies embedded in the fluid, a process each so that none takes others
+with it, and a table of how they went."""
+
+import json
+import os
+import subprocess
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+
+from launcher import build
+from launcher.common import Refusal, program
+from launcher.processes import describe
+
+LONGEST = 900  # seconds after which a case counts as hanging
+
+
+@dataclass
+class Sweep:
+    seed: int = 1
+    cases: int = 260
+    only: str | None = None  # one case by its name
+    quick: bool = False
+
+    def options(self) -> list[str]:
+        return ["--seed", str(self.seed), *(["--quick"] if self.quick else [])]
+
+    def titles(self) -> dict[str, str]:
+        """What each family of cases is about."""
+        return {name.split("-")[0]: title for name, title in self.listed()}
+
+    def names(self) -> list[str]:
+        return [self.only] if self.only else [name for name, _ in self.listed()]
+
+    def listed(self) -> list[tuple[str, str]]:
+        listing = subprocess.run([program("interface_stress"), "--list", str(self.cases)], capture_output=True, text=True,
+                                 check=True)
+        return [tuple(line.split("\t")) for line in listing.stdout.splitlines()]
+
+    def run_case(self, name: str) -> dict:
+        """What the case says of itself, or how its process ended."""
+        command = [str(program("interface_stress")), *self.options(), name]
+        one_thread = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST, env=one_thread, check=False)
+        except subprocess.TimeoutExpired:
+            return {"case": name, "failure": f"no end after {LONGEST} s", "refused": False, "parameters": {}}
+        if done.returncode == 2:
+            raise Refusal(done.stderr.strip())
+        if done.returncode != 0:
+            how = f"its process ended with {describe(done.returncode)} {done.stderr.strip()}".strip()
+            return {"case": name, "failure": how, "refused": False, "parameters": {}}
+        return json.loads(done.stdout.splitlines()[-1])
+
+    def run(self, jobs: int | None, quiet: bool) -> list[dict]:
+        """All cases, several at a time, in the order of their names' list."""
+        names, found = self.names(), {}
+        counter = build.Counter("stress", quiet)
+        with ThreadPoolExecutor(jobs or os.cpu_count()) as pool:
+            running = {pool.submit(self.run_case, name): name for name in names}
+            try:
+                for done in as_completed(running):
+                    found[running[done]] = done.result()
+                    counter.see(f"[{len(found)}/{len(names)}]")
+            finally:
+                pool.shutdown(cancel_futures=True)
+                counter.close()
+        return [found[name] for name in names]
+
+    def repeat(self, name: str) -> str:
+        return " ".join(["./fpi stress interface", *self.options(), "--only", name])
+
+
+def table(titles: dict[str, str], results: list[dict]) -> str:
+    """A line a family: how many survived, and the worst of what its cases measured, with the case."""
+    lines = [f"{'family':9s}{'cases':>6s}{'good':>6s}{'refused':>8s}{'failed':>7s}  {'worst error':20s}{'worst noise':20s}"
+             f"{'condition':20s}"]
+    for family, title in titles.items():
+        rows = [row for row in results if row["case"].split("-")[0] == family]
+        if not rows:
+            continue
+        refused = sum(row["refused"] for row in rows)
+        failed = sum(bool(row["failure"]) for row in rows) - refused
+        conditions = [row["condition"] for row in rows if "condition" in row]
+        spread = f"{min(conditions):.1e} to {max(conditions):.1e}" if conditions else "-"
+        lines.append(f"{family:9s}{len(rows):6d}{len(rows) - refused - failed:6d}{refused:8d}{failed:7d}  "
+                     f"{worst(rows, 'error'):20s}{worst(rows, 'noise'):20s}{spread:20s}  {title}")
+    return "\n".join(lines)
+
+
+def worst(rows: list[dict], quantity: str) -> str:
+    rows = [row for row in rows if quantity in row]
+    if not rows:
+        return "-"
+    row = max(rows, key=lambda one: one[quantity])
+    return f"{row[quantity]:.1e} ({row['case']})"
+
+
+def failures(sweep: Sweep, results: list[dict]) -> str:
+    """Each case that did not survive, why, and the command that repeats it."""
+    return "\n".join(f"{row['case']} {'refused' if row['refused'] else 'failed'}: {row['failure']}\n"
+                     f"  {sweep.repeat(row['case'])}" for row in results if row["failure"])
+
+
+def write(path: Path, sweep: Sweep, results: list[dict]) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps({"seed": sweep.seed, "quick": sweep.quick, "cases": results}, indent=1) + "\n")
