@@ -75,7 +75,8 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
             "a scene with [fluid] is required; got one without: start no fluid for it");
     check_dimension(scene_);
     const std::string_view text(reinterpret_cast<const char*>(message.mesh.data()), message.mesh.size());
-    solver_.emplace(scene_mesh(scene_.fluid->mesh, message.mesh_name, text), settings(scene_));
+    solver_.emplace(scene_mesh(scene_.fluid->mesh, scene_.periodic, message.mesh_name, text),
+                    settings(scene_));
   }
   solver_->monitor.ledger = std::move(ledger);
   solver_->monitor.phase = [this](const char* phase) { progress.set(phase); };
@@ -131,7 +132,7 @@ proto::Fields FluidService::write(const proto::Write& message) {
       out.points.insert(out.points.end(), {x.x(), x.y(), 0});
     }
     for (Index c = 0; c < mesh.n_cells(); ++c)
-      for (Index node : mesh.cell_nodes(c)) out.cells.push_back(static_cast<std::uint32_t>(node));
+      for (Index node : mesh.placed_nodes(c)) out.cells.push_back(static_cast<std::uint32_t>(node));
   }
   const Vector u = solver().velocity_with_bodies();
   proto::Field velocity{.name = "velocity", .components = 2, .values = {u.begin(), u.end()}};

@@ -93,6 +93,32 @@ void check_dimensions(const Scene& scene, ParameterVisitor& v) {
   }
 }
 
+/// The sides of a rectangle that lie in the planes across a periodic axis are no boundaries.
+void check_periodic_rectangle(const Scene& scene, int axis, ParameterVisitor& v) {
+  const Mesh& mesh = scene.fluid->mesh;
+  v.require(
+      scene.periodic.along(axis) == std::vector{mesh.lower[axis], mesh.upper[axis]},
+      axis == 0 ? "periodic.x" : "periodic.y",
+      fmt::format("must be the sides of the rectangle, [{:g}, {:g}]", mesh.lower[axis], mesh.upper[axis]));
+  for (const std::size_t side : {0, 1}) {
+    const std::string name(rectangle_sides[2 * axis + side]);
+    v.require(!scene.fluid->boundaries.contains(name), "fluid.boundaries." + name,
+              fmt::format("is no boundary where the scene is periodic along {}: remove the table",
+                          axis == 0 ? "x" : "y"));
+  }
+}
+
+void check_periods(const Scene& scene, ParameterVisitor& v) {
+  for (const int axis : {0, 1}) {
+    const bool periodic = !scene.periodic.along(axis).empty();
+    v.require(periodic || scene.fluid->pressure_drop[axis] == "0", "fluid.pressure_drop",
+              fmt::format("must be 0 along {}, which is not periodic: give [periodic], or a traction at the "
+                          "boundary",
+                          axis == 0 ? "x" : "y"));
+    if (periodic && scene.fluid->mesh.file.empty()) check_periodic_rectangle(scene, axis, v);
+  }
+}
+
 void check_boundaries(const Scene& scene, ParameterVisitor& v) {
   const std::vector<std::string> bodies = names_of(scene.bodies);
   for (const auto& [name, boundary] : scene.fluid->boundaries) {
@@ -108,7 +134,9 @@ void check_boundaries(const Scene& scene, ParameterVisitor& v) {
     v.require(false, "fluid.boundaries." + name,
               "is not a side of the rectangle" + hint(name, rectangle_sides));
   }
-  for (const std::string_view side : rectangle_sides) {
+  for (std::size_t i = 0; i < rectangle_sides.size(); ++i) {
+    if (!scene.periodic.along(static_cast<int>(i / 2)).empty()) continue;
+    const std::string_view side = rectangle_sides[i];
     v.require(scene.fluid->boundaries.contains(std::string(side)), fmt::format("fluid.boundaries.{}", side),
               "must have a condition: add a table with its type");
   }
@@ -171,7 +199,10 @@ void check(const Scene& scene, ParameterVisitor& v) {
   check_materials("bodies", scene.bodies, scene, v);
   check_materials("walls", scene.walls, scene, v);
   check_dimensions(scene, v);
-  if (scene.fluid) check_boundaries(scene, v);
+  if (scene.fluid) {
+    check_periods(scene, v);
+    check_boundaries(scene, v);
+  }
   check_coefficients(scene, v);
   check_motion(scene, v);
   check_probes(scene, v);

@@ -190,6 +190,7 @@ struct Fluid {
   std::string linear_solver = "umfpack";
   double newmark_gamma = 0.5;                           ///< γ of paper eq. (10)
   std::vector<std::string> body_force{"0", "0"};        ///< ρb [N/m³], besides gravity
+  std::vector<std::string> pressure_drop{"0", "0"};     ///< −∇ of the mean pressure [Pa/m]
   std::vector<std::string> initial_velocity{"0", "0"};  ///< [m/s]
   Mesh mesh;
   std::map<std::string, Boundary> boundaries;
@@ -220,6 +221,11 @@ struct Fluid {
            between(0.5, 1));
     v.formulas({"body_force", "N/m³", "force density besides gravity, formulas of x, y, t"}, body_force,
                {2, 2});
+    v.formulas(
+        {"pressure_drop", "Pa/m",
+         "by how much the mean pressure falls a metre along periodic axes, formulas of t: a force density "
+         "on fluid and bodies alike; the pressure in results is without it"},
+        pressure_drop, {2, 2});
     v.formulas({"initial_velocity", "m/s", "velocity at the start, formulas of x, y"}, initial_velocity,
                {2, 2});
     v.table({"mesh", "", "the fixed Eulerian mesh"}, mesh);

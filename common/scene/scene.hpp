@@ -10,6 +10,7 @@
 #include "scene/coupling.hpp"
 #include "scene/dem.hpp"
 #include "scene/fluid.hpp"
+#include "scene/periodic.hpp"
 
 namespace fpi::scene {
 
@@ -142,6 +143,7 @@ struct Scene {
   double thickness = 1;               ///< of a plane scene [m]
   double hydraulic_radius_ratio = 1;
   Time time;
+  Periodic periodic;
   std::optional<Fluid> fluid;
   std::optional<Dem> dem;
   std::vector<Body> bodies;

@@ -17,7 +17,7 @@ template <class T>
 void take_values(const Mesh& mesh, Index cell, const Fields& fields, const TimeTerms& time,
                  const Vector& acceleration, int lane, ElementState<T>& state) {
   const auto nodes = mesh.cell_nodes(cell);
-  const auto& vertices = mesh.cells[cell];
+  const auto vertices = mesh.cell_vertices(cell);
   for (int i = 0; i < 6; ++i) {
     const Index n = nodes[i];
     part(state.ux[i], lane) = fields.u[2 * n];
@@ -34,7 +34,7 @@ template <class T>
 void add_values(const Mesh& mesh, Index cell, std::array<T, element_unknowns>& element, int lane,
                 Residual& residual) {
   const auto nodes = mesh.cell_nodes(cell);
-  const auto& vertices = mesh.cells[cell];
+  const auto vertices = mesh.cell_vertices(cell);
   for (int i = 0; i < 6; ++i) {
     residual.u[2 * nodes[i]] += part(element[i], lane);
     residual.u[2 * nodes[i] + 1] += part(element[6 + i], lane);

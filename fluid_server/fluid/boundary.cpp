@@ -50,9 +50,10 @@ Boundary::Boundary(const Mesh& mesh, const std::map<std::string, scene::Boundary
 void Boundary::assign_nodes() {
   std::vector<Index> part_of(mesh_.n_nodes(), -1);
   for (const BoundaryEdge& b : mesh_.boundary)
-    for (Index node : mesh_.edge_nodes(b.edge))
-      if (part_of[node] == -1 || parts_[b.boundary].type < parts_[part_of[node]].type)
-        part_of[node] = b.boundary;
+    for (Index placed : mesh_.edge_nodes(b.edge)) {
+      Index& part = part_of[mesh_.owner[placed]];
+      if (part == -1 || parts_[b.boundary].type < parts_[part].type) part = b.boundary;
+    }
   for (Index node = 0; node < mesh_.n_nodes(); ++node) {
     if (part_of[node] == -1) continue;
     Part& part = parts_[part_of[node]];
@@ -70,8 +71,9 @@ void Boundary::find_slip_normals() {
     const auto nodes = mesh_.edge_nodes(b);
     const auto normals = outward(mesh_.places(nodes));
     for (int i = 0; i < 3; ++i) {
-      Vec2& normal = normal_[nodes[i]];
-      Constraint& constraint = constraint_[nodes[i]];
+      const Index node = mesh_.owner[nodes[i]];
+      Vec2& normal = normal_[node];
+      Constraint& constraint = constraint_[node];
       if (constraint == Constraint::both) continue;
       const bool is_corner = constraint == Constraint::normal &&
                              normal.dot(normals[i]) < cos_30 * normal.norm() * normals[i].norm();
@@ -106,7 +108,7 @@ void Boundary::check_net_flux(double t, const Vector& u) const {
     const auto normals = outward(mesh_.places(nodes));
     double flux = 0;
     for (int i = 0; i < 3; ++i) {
-      const auto velocity = u.segment<2>(2 * nodes[i]);
+      const auto velocity = u.segment<2>(2 * mesh_.owner[nodes[i]]);
       flux += normals[i].dot(velocity);
       reach += normals[i].norm() * velocity.norm();
     }
@@ -140,7 +142,7 @@ void Boundary::add_tractions(double t, std::span<const Outline> bodies, Vector& 
         const Vec2 traction(part.x(x.x(), x.y(), t), part.y(x.x(), x.y(), t));
         const double weight = point.weight * (end - start) * edge_tangent(edge, s).norm();
         const auto n = edge_shape(s);
-        for (int i = 0; i < 3; ++i) load.segment<2>(2 * nodes[i]) += weight * n[i] * traction;
+        for (int i = 0; i < 3; ++i) load.segment<2>(2 * mesh_.owner[nodes[i]]) += weight * n[i] * traction;
       }
   }
 }

@@ -91,29 +91,38 @@ bool BoundaryTractions::is_corner(const std::vector<End>& ends) const {
 void BoundaryTractions::number_points() {
   std::map<Index, std::vector<End>> ends_at;
   for (Index k = 0; k < static_cast<Index>(lines_.size()); ++k)
-    for (int end = 0; end < 2; ++end) ends_at[lines_[k].nodes[end]].push_back({k, end});
-  const auto add_point = [this](const End& at, bool has_equation) {
+    for (int end = 0; end < 2; ++end) ends_at[mesh_.owner[lines_[k].nodes[end]]].push_back({k, end});
+  const auto add_point = [this](const End& at, Index equation) {
     Line& line = lines_[at.line];
     BoundaryCurve& curve = curves_[line.curve];
     line.points[at.end] = static_cast<Index>(curve.nodes.size());
-    line.equations[at.end] = has_equation ? static_cast<Index>(equation_node_.size()) : -1;
+    line.equations[at.end] = equation;
     curve.nodes.push_back(line.nodes[at.end]);
-    if (has_equation) equation_node_.push_back(line.nodes[at.end]);
+  };
+  const auto add_equation = [this](Index placed_node) {
+    equation_node_.push_back(mesh_.owner[placed_node]);
+    return static_cast<Index>(equation_node_.size()) - 1;
   };
   for (const auto& [vertex, ends] : ends_at) {
     if (is_corner(ends)) {
-      for (const End& end : ends) add_point(end, false);
+      for (const End& end : ends) add_point(end, -1);
       corners_.push_back(ends);
       continue;
     }
-    add_point(ends[0], true);
+    const Index equation = add_equation(vertex);
     for (const End& end : ends) {
-      lines_[end.line].points[end.end] = lines_[ends[0].line].points[ends[0].end];
-      lines_[end.line].equations[end.end] = lines_[ends[0].line].equations[ends[0].end];
+      Line& line = lines_[end.line];
+      const Line& first = lines_[ends[0].line];
+      if (&end == &ends[0] || line.nodes[end.end] != first.nodes[ends[0].end]) {
+        add_point(end, equation);  // the second one is a period away
+        continue;
+      }
+      line.points[end.end] = first.points[ends[0].end];
+      line.equations[end.end] = equation;
     }
   }
   for (Index k = 0; k < static_cast<Index>(lines_.size()); ++k) {
-    add_point({k, 2}, true);
+    add_point({k, 2}, add_equation(lines_[k].nodes[2]));
     curves_[lines_[k].curve].lines.push_back(lines_[k].points);
   }
 }
@@ -184,14 +193,15 @@ std::vector<BoundaryTraction> BoundaryTractions::recover(const Vector& reaction)
     }
   }
   for (const std::vector<End>& ends : corners_) {
-    const Index node = lines_[ends[0].line].nodes[ends[0].end];
+    const Index node = mesh_.owner[lines_[ends[0].line].nodes[ends[0].end]];
     Vec2 left = reaction.segment<2>(2 * node);
     for (const End& end : ends) left -= weighted[end.line].col(end.end);
     const Vec2 share = left / static_cast<double>(ends.size());
     for (const End& end : ends) {
       const Line& line = lines_[end.line];
       out[line.curve].force += share;
-      out[line.curve].torque += cross(mesh_.vertices[node] - curves_[line.curve].centre, share);
+      const Vec2 arm = mesh_.vertices[line.nodes[end.end]] - curves_[line.curve].centre;
+      out[line.curve].torque += cross(arm, share);
     }
   }
   return out;

@@ -15,14 +15,13 @@ std::vector<Index> cells_near(const Locator& locator, const Outline& outline) {
   return locator.near(outline.lower(), outline.upper());
 }
 
-/// (cell, interface) for every cell that an outline cuts or touches, sorted by cell; solid cells are marked
-/// on the way.
+/// (cell, image) for every cell that an outline cuts or touches, sorted by cell; solid cells are marked on
+/// the way.
 std::vector<std::pair<Index, Index>> classify(const Mesh& mesh, const Locator& locator,
-                                              std::span<const Interface> interfaces,
-                                              std::vector<CellState>& state) {
+                                              std::span<const Image> images, std::vector<CellState>& state) {
   std::vector<std::pair<Index, Index>> cuts;
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    const Outline& outline = interfaces[i].outline;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const Outline& outline = images[i].outline;
     for (Index c : cells_near(locator, outline)) {
       const Position where = position(mesh.corners(c), outline);
       if (where == Position::inside) state[c] = CellState::solid;
@@ -77,7 +76,7 @@ std::vector<Interval> stretches(const Mesh& mesh, Index cell, const Outline& out
 }
 
 /// Cuts a stretch at the ends of the arcs and appends the pieces.
-void add_pieces(const Interface& interface, Index i, Index first_multiplier, Index cell,
+void add_pieces(const Interface& interface, const Image& image, Index first_multiplier, Index cell,
                 const Interval& stretch, std::vector<ArcPiece>& pieces) {
   const double period = interface.outline.period();
   for (Index a = 0; a < interface.n_arcs(); ++a) {
@@ -86,25 +85,27 @@ void add_pieces(const Interface& interface, Index i, Index first_multiplier, Ind
     for (double turn = first_turn; stretch.start + turn * period < arc_end; ++turn) {
       const double start = std::max(stretch.start + turn * period, arc_start);
       const double end = std::min(stretch.end + turn * period, arc_end);
-      if (end - start > shortest) pieces.push_back({cell, i, a, first_multiplier + a, start, end});
+      if (end - start > shortest)
+        pieces.push_back({cell, image.interface, a, first_multiplier + a, start, end, image.shift});
     }
   }
 }
 
-/// Cuts one element by the bodies that meet it, each with its number. A touch that takes nothing of it and
+/// Cuts one element by the images that meet it, each with its number. A touch that takes nothing of it and
 /// leaves no arc with it makes it fluid; one whose rest is nothing is solid.
 void cut_cell(const Mesh& mesh, Index cell, std::span<const std::pair<Index, Index>> cuts,
               std::span<const Interface> interfaces, CutMesh& out) {
   constexpr double negligible = 1e-11;  // of the element's area
   std::vector<const Outline*> here;
-  for (const auto& [c, i] : cuts) here.push_back(&interfaces[i].outline);
+  for (const auto& [c, i] : cuts) here.push_back(&out.images[i].outline);
   const std::size_t before = out.pieces.size();
   for (std::size_t own = 0; own < here.size(); ++own) {
     std::vector<const Outline*> others = here;
     others.erase(others.begin() + own);
-    const Index i = cuts[own].second;
+    const Image& image = out.images[cuts[own].second];
+    const Index i = image.interface;
     for (const Interval& stretch : stretches(mesh, cell, *here[own], others))
-      add_pieces(interfaces[i], i, out.first_multiplier[i], cell, stretch, out.pieces);
+      add_pieces(interfaces[i], image, out.first_multiplier[i], cell, stretch, out.pieces);
   }
   CutCell cut{cell, element_points(mesh.corners(cell), here), metric_of(Triangle(mesh.corners(cell)))};
   cut.metric.area = 1;
@@ -124,21 +125,18 @@ void collect_ghost_edges(const Mesh& mesh, CutMesh& out) {
   for (const CutCell& cut : out.cut_cells)
     for (Index e : mesh.cell_edges[cut.cell]) {
       const auto [c1, c2] = mesh.edge_cells[e];
-      if (c2 != -1 && out.is_active(c1) && out.is_active(c2)) edges.push_back(e);
+      if (c2 != -1 && out.is_active(c1) && out.is_active(c2)) edges.push_back(mesh.owner_of_edge(e));
     }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   out.ghost_edges = std::move(edges);
 }
 
-void collect_covered_nodes(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces,
-                           CutMesh& out) {
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    const Outline& outline = interfaces[i].outline;
+void collect_covered_nodes(const Mesh& mesh, const Locator& locator, CutMesh& out) {
+  for (const auto& [interface, shift, outline] : out.images)
     for (Index c : cells_near(locator, outline))
       for (Index node : mesh.cell_nodes(c))
-        if (outline.contains(mesh.node_position(node))) out.covered.push_back({node, static_cast<Index>(i)});
-  }
+        if (outline.contains(mesh.node_position(node))) out.covered.push_back({node, interface, shift});
   const auto by_node = [](const CoveredNode& a, const CoveredNode& b) { return a.node < b.node; };
   std::stable_sort(out.covered.begin(), out.covered.end(), by_node);
   const auto same = [](const CoveredNode& a, const CoveredNode& b) { return a.node == b.node; };
@@ -147,13 +145,30 @@ void collect_covered_nodes(const Mesh& mesh, const Locator& locator, std::span<c
 
 }  // namespace
 
+std::vector<Image> images(const Period& period, std::span<const Interface> interfaces) {
+  std::vector<Image> out;
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    const Outline& outline = interfaces[i].outline;
+    for (const Vec2& shift : period.shifts(outline.lower(), outline.upper()))
+      out.push_back({static_cast<Index>(i), shift, outline.moved(shift)});
+  }
+  return out;
+}
+
+std::vector<Outline> outlines(std::span<const Image> images) {
+  std::vector<Outline> out;
+  for (const Image& image : images) out.push_back(image.outline);
+  return out;
+}
+
 CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces) {
   CutMesh out;
+  out.images = images(mesh.period, interfaces);
   out.state.assign(mesh.n_cells(), CellState::fluid);
   out.first_multiplier.push_back(0);
   for (const Interface& interface : interfaces)
     out.first_multiplier.push_back(out.first_multiplier.back() + interface.n_arcs());
-  const auto cuts = classify(mesh, locator, interfaces, out.state);
+  const auto cuts = classify(mesh, locator, out.images, out.state);
   for (auto it = cuts.begin(); it != cuts.end();) {
     const Index cell = it->first;
     const auto end = std::find_if(it, cuts.end(), [&](const auto& pair) { return pair.first != cell; });
@@ -164,17 +179,20 @@ CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Inter
   for (const ArcPiece& piece : out.pieces)
     out.active_length[piece.multiplier] += interfaces[piece.interface].outline.length(piece.start, piece.end);
   collect_ghost_edges(mesh, out);
-  collect_covered_nodes(mesh, locator, interfaces, out);
+  collect_covered_nodes(mesh, locator, out);
   return out;
 }
 
 double wanted_arc_length(const Mesh& mesh, const Locator& locator, const Outline& outline, double ratio) {
   double sum = 0;
   int n = 0;
-  for (Index c : cells_near(locator, outline)) {
-    if (position(mesh.corners(c), outline) != Position::cut) continue;
-    sum += mesh.size(c);
-    ++n;
+  for (const Vec2& shift : mesh.period.shifts(outline.lower(), outline.upper())) {
+    const Outline image = outline.moved(shift);
+    for (Index c : cells_near(locator, image)) {
+      if (position(mesh.corners(c), image) != Position::cut) continue;
+      sum += mesh.size(c);
+      ++n;
+    }
   }
   return n == 0 ? 0 : ratio * sum / n;
 }

@@ -15,6 +15,13 @@ namespace fpi::fluid {
 
 enum class CellState : std::uint8_t { fluid, cut, solid };
 
+/// A body as the mesh sees it: once, and again for each periodic side that it reaches over.
+struct Image {
+  Index interface;  ///< index in the list of interfaces
+  Vec2 shift;       ///< from the body to its image, whole periods [m]
+  Outline outline;  ///< shifted
+};
+
 /// A stretch of one arc (or edge) inside one element.
 struct ArcPiece {
   Index cell;
@@ -22,6 +29,7 @@ struct ArcPiece {
   Index arc;          ///< number of the arc on its body
   Index multiplier;   ///< number of the arc among all of them
   double start, end;  ///< parameters of the outline
+  Vec2 shift;         ///< of the image that lies in the element [m]
 };
 
 struct CutCell {
@@ -34,9 +42,11 @@ struct CutCell {
 struct CoveredNode {
   Index node;
   Index interface;
+  Vec2 shift;  ///< of the image that covers it [m]
 };
 
 struct CutMesh {
+  std::vector<Image> images;
   std::vector<CellState> state;  ///< of every cell
   std::vector<CutCell> cut_cells;
   std::vector<ArcPiece> pieces;
@@ -48,6 +58,9 @@ struct CutMesh {
   bool is_active(Index cell) const { return state[cell] != CellState::solid; }
   Index n_multipliers() const { return first_multiplier.back(); }
 };
+
+std::vector<Image> images(const Period& period, std::span<const Interface> interfaces);
+std::vector<Outline> outlines(std::span<const Image> images);
 
 CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces);
 

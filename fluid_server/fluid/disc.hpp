@@ -31,6 +31,7 @@ struct Disc {
   Vec2 lower() const { return centre - Vec2::Constant(radius); }
   Vec2 upper() const { return centre + Vec2::Constant(radius); }
   bool operator==(const Disc&) const = default;
+  Disc moved(const Vec2& shift) const { return {centre + shift, radius}; }
 };
 
 /// Parameters t in [0, 1], ascending, at which the segment a + t (b − a) crosses the circle: none, one or

@@ -24,16 +24,18 @@ std::array<int, M> merge(std::array<Index, N>& items, const std::array<Index, M>
 
 GhostFace ghost_face(const Mesh& mesh, Index edge) {
   const auto [cell1, cell2] = mesh.edge_cells[edge];
-  GhostFace face;
+  GhostFace face{};
   const auto nodes1 = mesh.cell_nodes(cell1);
   std::copy(nodes1.begin(), nodes1.end(), face.nodes.begin());
-  std::copy(mesh.cells[cell1].begin(), mesh.cells[cell1].end(), face.vertices.begin());
+  std::copy_n(nodes1.begin(), 3, face.vertices.begin());
   const auto node_place = merge(face.nodes, mesh.cell_nodes(cell2));
-  const auto vertex_place = merge(face.vertices, mesh.cells[cell2]);
+  const auto vertex_place = merge(face.vertices, mesh.cell_vertices(cell2));
 
   face.velocity.setZero();
   face.pressure.setZero();
-  const std::array<Triangle, 2> triangles{Triangle(mesh.corners(cell1)), Triangle(mesh.corners(cell2))};
+  auto beyond = mesh.corners(cell2);
+  for (Vec2& x : beyond) x += mesh.shift_across(edge);
+  const std::array<Triangle, 2> triangles{Triangle(mesh.corners(cell1)), Triangle(beyond)};
   face.h2 = 2 * std::sqrt(triangles[0].area * triangles[1].area);
   for (const Triangle& here : triangles) {
     for (const ElementPoint& point : standard_points()) {

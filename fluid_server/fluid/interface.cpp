@@ -49,12 +49,6 @@ void check_size(const Interface& f) {
 
 }  // namespace
 
-std::vector<Outline> outlines(std::span<const Interface> interfaces) {
-  std::vector<Outline> out;
-  for (const Interface& interface : interfaces) out.push_back(interface.outline);
-  return out;
-}
-
 void set_edges(Interface& f, const std::vector<Vec2>& vertices) {
   auto [polygon, parameters] = merge_collinear(vertices);
   require(polygon.size() >= 3,

@@ -27,8 +27,6 @@ struct Interface {
   bool same_geometry(const Interface& other) const;
 };
 
-std::vector<Outline> outlines(std::span<const Interface> interfaces);
-
 /// Sets outline and arcs: edges between vertices that go once around counter-clockwise [m].
 void set_edges(Interface& interface, const std::vector<Vec2>& vertices);
 

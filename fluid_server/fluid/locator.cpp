@@ -76,7 +76,8 @@ std::vector<Index> Locator::near(const Vec2& lower, const Vec2& upper) const {
   return out;
 }
 
-std::optional<Place> Locator::find(const Vec2& x) const {
+std::optional<Place> Locator::find(const Vec2& anywhere) const {
+  const Vec2 x = mesh_.period.wrapped(anywhere);
   constexpr double round_off = 1e-10, off_the_circle = 1e-2;
   std::optional<Place> best;
   double best_least = -off_the_circle;

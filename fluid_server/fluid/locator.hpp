@@ -21,8 +21,9 @@ class Locator {
   /// Cells whose bounding box may overlap [lower, upper]; each once, ascending.
   std::vector<Index> near(const Vec2& lower, const Vec2& upper) const;
 
-  /// Where x is; nothing outside the mesh. Straight triangles hold what they hold to round-off, curved ones a
-  /// little more, since a parabola is not quite the circle on which a point may have been asked for.
+  /// Where x is, any number of periods away; nothing outside the mesh. Straight triangles hold what they hold
+  /// to round-off, curved ones a little more, since a parabola is not quite the circle on which a point may
+  /// have been asked for.
   std::optional<Place> find(const Vec2& x) const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 
 #include "core/error.hpp"
@@ -124,6 +125,8 @@ Mesh make_mesh(std::vector<Vec2> vertices, std::vector<std::array<Index, 3>> cel
   place_middles(mesh, number, middles);
   check_not_folded(mesh);
   name_boundary(mesh, number, named_edges);
+  mesh.owner.resize(mesh.n_nodes());
+  std::iota(mesh.owner.begin(), mesh.owner.end(), 0);
   return mesh;
 }
 

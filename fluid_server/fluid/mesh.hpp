@@ -1,6 +1,7 @@
 /// The fixed Eulerian mesh: triangles with numbered edges and a named outer boundary. P2 nodes are the
 /// vertices followed by the middles of the edges (paper, figure 4); P1 nodes are the vertices. An edge whose
-/// middle node lies off its chord is a parabola, and its triangles are isoparametric (P2 geometry).
+/// middle node lies off its chord is a parabola, and its triangles are isoparametric (P2 geometry). Nodes
+/// that are the same in a periodic flow keep their places and share the unknowns of one of them, their owner.
 #pragma once
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "fluid/isoparametric.hpp"
+#include "fluid/period.hpp"
 #include "fluid/types.hpp"
 
 namespace fpi::fluid {
@@ -24,21 +26,34 @@ struct Mesh {
   std::vector<std::array<Index, 2>> edges;       ///< vertices, the smaller number first
   std::vector<Vec2> middles;                     ///< of each edge: place of its middle node [m]
   std::vector<std::array<Index, 3>> cell_edges;  ///< edges 01, 12, 20 of each cell
-  std::vector<std::array<Index, 2>> edge_cells;  ///< one or two cells; -1 outside
+  std::vector<std::array<Index, 2>> edge_cells;  ///< one or two cells, its own first; -1 outside
   std::vector<BoundaryEdge> boundary;
   std::vector<std::string> boundary_names;
+  Period period;
+  std::vector<Index>
+      owner;  ///< of each node: the one whose unknowns it has; itself but on an upper periodic side
 
   Index n_vertices() const { return static_cast<Index>(vertices.size()); }
   Index n_cells() const { return static_cast<Index>(cells.size()); }
   Index n_edges() const { return static_cast<Index>(edges.size()); }
   Index n_nodes() const { return n_vertices() + n_edges(); }
 
-  /// P2 nodes of a cell: three vertices, then the middles of edges 01, 12, 20.
-  std::array<Index, 6> cell_nodes(Index cell) const {
+  /// P2 nodes of a cell as placed: three vertices, then the middles of edges 01, 12, 20.
+  std::array<Index, 6> placed_nodes(Index cell) const {
     const auto& v = cells[cell];
     const auto& e = cell_edges[cell];
     const Index n = n_vertices();
     return {v[0], v[1], v[2], n + e[0], n + e[1], n + e[2]};
+  }
+  /// The nodes that hold their unknowns.
+  std::array<Index, 6> cell_nodes(Index cell) const {
+    auto nodes = placed_nodes(cell);
+    for (Index& node : nodes) node = owner[node];
+    return nodes;
+  }
+  std::array<Index, 3> cell_vertices(Index cell) const {
+    const auto& v = cells[cell];
+    return {owner[v[0]], owner[v[1]], owner[v[2]]};
   }
   std::array<Vec2, 3> corners(Index cell) const {
     const auto& v = cells[cell];
@@ -59,7 +74,14 @@ struct Mesh {
     const auto& e = cell_edges[cell];
     return {c[0], c[1], c[2], middles[e[0]], middles[e[1]], middles[e[2]]};
   }
-  /// P2 nodes of an edge: its vertices and its middle.
+  Index owner_of_edge(Index edge) const { return owner[n_vertices() + edge] - n_vertices(); }
+  /// What brings the second cell of an edge beside the first: zero but across a periodic side [m].
+  Vec2 shift_across(Index edge) const {
+    const auto& e = cell_edges[edge_cells[edge][1]];
+    const auto is_same = [&](Index other) { return owner_of_edge(other) == owner_of_edge(edge); };
+    return middles[edge] - middles[is_same(e[0]) ? e[0] : is_same(e[1]) ? e[1] : e[2]];
+  }
+  /// P2 nodes of an edge as placed: its vertices and its middle.
   std::array<Index, 3> edge_nodes(Index edge) const {
     return {edges[edge][0], edges[edge][1], n_vertices() + edge};
   }

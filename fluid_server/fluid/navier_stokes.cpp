@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "fluid/condition.hpp"
+#include "fluid/periodic_mesh.hpp"
 #include "fluid/steady.hpp"
 
 namespace fpi::fluid {
@@ -17,6 +18,7 @@ Vector nodal_values(const Mesh& mesh, const std::vector<std::string>& formulas) 
     const Vec2 x = mesh.node_position(node);
     u.segment<2>(2 * node) = Vec2(x_formula(x.x(), x.y(), 0), y_formula(x.x(), x.y(), 0));
   }
+  spread_to_copies(mesh, 2, u);
   return u;
 }
 
@@ -26,7 +28,7 @@ NavierStokes::NavierStokes(Mesh mesh, Settings settings)
     : settings_(std::move(settings)),
       flow_{settings_.fluid.density, settings_.fluid.viscosity(), settings_.fluid.convection ? 1.0 : 0.0,
             settings_.fluid.viscous_form == "symmetric"},
-      body_force_{Expression(settings_.fluid.body_force[0]), Expression(settings_.fluid.body_force[1])},
+      body_force_(settings_.fluid),
       space_(std::move(mesh), settings_.fluid.boundaries),
       boundary_recovery_(space_.mesh, space_.boundary) {
   check_linear_solver(settings_.fluid.linear_solver);
@@ -194,6 +196,8 @@ NewtonResult NavierStokes::solve_step(const Request& request) {
 std::vector<BodyTraction> NavierStokes::tractions() const {
   const auto resultants = system_->resultants(current_.fields.lambda);
   const auto& interfaces = system_->interfaces();
+  // The mean pressure falls by this much a metre, in the place of a body too; λ does not know of it.
+  const Vec2 mean_force = body_force_.pressure_drop(last_->time) - flow_.density * settings_.gravity;
   std::vector<BodyTraction> out(interfaces.size());
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const Interface& interface = interfaces[i];
@@ -202,7 +206,7 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
     for (Index a = 0; a < interface.n_arcs(); ++a)
       out[i].lambda.push_back(current_.fields.lambda.segment<2>(2 * (first + a)));
     const Outline& outline = interface.outline;
-    const Vec2 buoyancy = -flow_.density * outline.area() * settings_.gravity;
+    const Vec2 buoyancy = outline.area() * mean_force;
     out[i].force = resultants[i].force + buoyancy;
     out[i].torque = resultants[i].torque + cross(outline.centroid() - interface.rigid.centre, buoyancy);
     out[i].arc_length = system_->arc_lengths()[i];
@@ -216,7 +220,8 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
 
 /// Velocity of the accepted body at a node that it covers.
 Vec2 NavierStokes::body_velocity(const CoveredNode& covered) const {
-  return accepted_interfaces_[covered.interface].rigid(space_.mesh.node_position(covered.node));
+  return accepted_interfaces_[covered.interface].rigid(space_.mesh.node_position(covered.node) -
+                                                       covered.shift);
 }
 
 void NavierStokes::accept() {
@@ -238,6 +243,8 @@ void NavierStokes::accept() {
     accepted_.u.segment<2>(2 * covered.node) = body_velocity(covered);
     accepted_.acceleration.segment<2>(2 * covered.node).setZero();
   }
+  for (Vector* field : {&accepted_.u, &accepted_.acceleration}) spread_to_copies(space_.mesh, 2, *field);
+  spread_to_copies(space_.mesh, 1, accepted_.p);
   kept_.take(current_, time_terms_.inertia);
   accepted_system_ = system_;
   last_.reset();
@@ -285,21 +292,25 @@ Vector NavierStokes::velocity_with_bodies() const {
   if (accepted_system_)
     for (const CoveredNode& covered : accepted_system_->cut().covered)
       u.segment<2>(2 * covered.node) = body_velocity(covered);
+  spread_to_copies(space_.mesh, 2, u);
   return u;
 }
 
 std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
   const std::optional<Place> place = space_.locator.find(x);
+  const Vec2 wrapped = space_.mesh.period.wrapped(x);
   if (!place || (accepted_system_ && !accepted_system_->cut().is_active(place->cell))) return std::nullopt;
-  for (const Interface& interface : accepted_interfaces_)  // a point on the outline itself is in the fluid
-    if (interface.outline.distance(x) < -1e-6 * std::sqrt(interface.outline.area())) return std::nullopt;
+  if (accepted_system_)
+    for (const Image& image :
+         accepted_system_->cut().images)  // a point on the outline itself is in the fluid
+      if (image.outline.distance(wrapped) < -1e-6 * std::sqrt(image.outline.area())) return std::nullopt;
   const auto& [c, l] = *place;
   const Padded n = p2_at(l);
   const auto nodes = space_.mesh.cell_nodes(c);
   Vec2 u = Vec2::Zero();
   double p = 0;
   for (int i = 0; i < 6; ++i) u += n[i] * accepted_.u.segment<2>(2 * nodes[i]);
-  for (int i = 0; i < 3; ++i) p += l[i] * accepted_.p[space_.mesh.cells[c][i]];
+  for (int i = 0; i < 3; ++i) p += l[i] * accepted_.p[nodes[i]];
   return std::pair{u, p};
 }
 
@@ -326,8 +337,7 @@ std::vector<std::string> NavierStokes::notes() const {
     notes.emplace_back("no body moves: the cut geometry and its ordering are found once");
   if (!flow_.convection && !settings_.bodies_move)
     notes.emplace_back("the matrix does not change: one factorisation serves every step of equal length");
-  if (body_force_[0].is_zero() && body_force_[1].is_zero())
-    notes.emplace_back("no body force: none is integrated");
+  if (body_force_.is_zero()) notes.emplace_back("no body force: none is integrated");
   return notes;
 }
 

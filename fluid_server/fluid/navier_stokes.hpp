@@ -33,7 +33,7 @@ struct Request {
 struct BodyTraction {
   Index body = 0;
   std::vector<Vec2> lambda;   ///< force density that the fluid exerts on each arc [Pa]
-  Vec2 force = Vec2::Zero();  ///< with the buoyancy [N/m]
+  Vec2 force = Vec2::Zero();  ///< with the buoyancy and the fall of the mean pressure [N/m]
   double torque = 0;          ///< about the centre [N]
   double arc_length = 0;      ///< wanted next [m]
 };
@@ -101,7 +101,7 @@ class NavierStokes {
 
   Settings settings_;
   Flow flow_;
-  std::array<Expression, 2> body_force_;
+  BodyForce body_force_;
   Space space_;
   State accepted_;
   BoundaryTractions boundary_recovery_;

@@ -47,7 +47,7 @@ std::vector<Index> pinned_vertices(const Mesh& mesh, const Boundary& boundary, c
     const Index root = components.find(c);
     if (has_level[root]) continue;
     has_level[root] = 1;
-    pinned.push_back(mesh.cells[c][0]);
+    pinned.push_back(mesh.cell_vertices(c)[0]);
   }
   return pinned;
 }
@@ -66,9 +66,9 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
   for (Index c = 0; c < mesh.n_cells(); ++c) {
     if (!cut.is_active(c)) continue;
     for (Index node : mesh.cell_nodes(c)) out.node_is_active[node] = 1;
-    for (Index v : mesh.cells[c]) out.pressure[v] = wanted;
+    for (Index v : mesh.cell_vertices(c)) out.pressure[v] = wanted;
   }
-  out.pinned = pinned_vertices(mesh, boundary, cut, outlines(interfaces));
+  out.pinned = pinned_vertices(mesh, boundary, cut, outlines(cut.images));
   for (Index v : out.pinned) out.pressure[v] = absent;
   for (std::size_t i = 0; i < interfaces.size(); ++i)
     for (Index a = 0; a < interfaces[i].n_arcs(); ++a) {

@@ -64,6 +64,9 @@ class Outline {
     return visit([](const auto& s) { return s.upper(); });
   }
   bool operator==(const Outline&) const = default;
+  Outline moved(const Vec2& shift) const {
+    return visit([&](const auto& s) { return Outline(s.moved(shift)); });
+  }
 
   /// The point by which a stretch is given to an element: on a circle; a hair outside a straight side, which
   /// may run along mesh edges and then belongs to the fluid beside it.

@@ -72,6 +72,12 @@ double Polygon::distance(const Vec2& x) const {
   return contains(x) ? -nearest_one : nearest_one;
 }
 
+Polygon Polygon::moved(const Vec2& shift) const {
+  Polygon out = *this;
+  for (Vec2& corner : out.corners) corner += shift;
+  return out;
+}
+
 Vec2 Polygon::lower() const {
   Vec2 low = corners[0];
   for (const Vec2& x : corners) low = low.cwiseMin(x);

@@ -37,6 +37,7 @@ struct Polygon {
   Vec2 lower() const;
   Vec2 upper() const;
   bool operator==(const Polygon&) const = default;
+  Polygon moved(const Vec2& shift) const;
 };
 
 /// A polygon through vertices some of which lie within its sides.

@@ -11,17 +11,19 @@ constexpr double shortest = 1e-9;
 /// Where a segment enters and leaves cells, as fractions of it, ascending, from 0 to 1.
 std::vector<double> crossings(const Mesh& mesh, const Locator& locator, const Vec2& from, const Vec2& to) {
   std::vector<double> found{0, 1};
-  for (const Index c : locator.near(from.cwiseMin(to), from.cwiseMax(to))) {
-    const Triangle triangle(mesh.corners(c));
-    const auto start = triangle.barycentric(from), end = triangle.barycentric(to);
-    double enters = 0, leaves = 1;
-    for (int k = 0; k < 3; ++k) {  // inside where start + s (end − start) ≥ 0
-      const double slope = end[k] - start[k];
-      if (slope > 0) enters = std::max(enters, -start[k] / slope);
-      if (slope < 0) leaves = std::min(leaves, -start[k] / slope);
+  const Vec2 low = from.cwiseMin(to), high = from.cwiseMax(to);
+  for (const Vec2& shift : mesh.period.shifts(low, high))
+    for (const Index c : locator.near(low + shift, high + shift)) {
+      const Triangle triangle(mesh.corners(c));
+      const auto start = triangle.barycentric(from + shift), end = triangle.barycentric(to + shift);
+      double enters = 0, leaves = 1;
+      for (int k = 0; k < 3; ++k) {  // inside where start + s (end − start) ≥ 0
+        const double slope = end[k] - start[k];
+        if (slope > 0) enters = std::max(enters, -start[k] / slope);
+        if (slope < 0) leaves = std::min(leaves, -start[k] / slope);
+      }
+      if (enters < leaves) found.insert(found.end(), {enters, leaves});
     }
-    if (enters < leaves) found.insert(found.end(), {enters, leaves});
-  }
   std::sort(found.begin(), found.end());
   const auto same = [](double a, double b) { return b - a < shortest; };
   found.erase(std::unique(found.begin(), found.end(), same), found.end());

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "fluid/bisection.hpp"
+#include "fluid/periodic_mesh.hpp"
 #include "fluid/size_field.hpp"
 
 namespace fpi::fluid {
@@ -34,7 +35,7 @@ std::vector<double> growing_distances(double length, double first, double growth
 }
 
 /// Triangles between grid lines with the diagonal as edge 01, as Bisection wants them.
-Bisection halved_cells(const std::vector<double>& x, const std::vector<double>& y) {
+Bisection halved_cells(const std::vector<double>& x, const std::vector<double>& y, bool has_corners) {
   const Index nx = static_cast<Index>(x.size()) - 1, ny = static_cast<Index>(y.size()) - 1;
   require(nx >= 1 && ny >= 1, "a rectangle needs at least one cell each way; got {} × {}", nx, ny);
   require(static_cast<double>(nx) * ny <= most_cells,
@@ -50,8 +51,8 @@ Bisection halved_cells(const std::vector<double>& x, const std::vector<double>& 
       const Index a = j * (nx + 1) + i, b = a + 1, d = a + nx + 1, c = d + 1;
       const bool at_left = i == 0, at_right = i == nx - 1, at_bottom = j == 0, at_top = j == ny - 1;
       bool rising = (i + j) % 2 == 0;  // diagonal from lower left to upper right
-      if ((at_left && at_bottom) || (at_right && at_top)) rising = true;
-      if ((at_left && at_top) || (at_right && at_bottom)) rising = false;
+      if (has_corners && ((at_left && at_bottom) || (at_right && at_top))) rising = true;
+      if (has_corners && ((at_left && at_top) || (at_right && at_bottom))) rising = false;
       if (rising) {
         triangles.push_back({c, a, b});
         triangles.push_back({a, c, d});
@@ -66,11 +67,13 @@ Bisection halved_cells(const std::vector<double>& x, const std::vector<double>& 
 
 /// Halves a triangle while it is larger than wanted anywhere in it, or has all its vertices on the boundary.
 /// Halves that neighbours leave behind are smaller, so one pass over all triangles is enough.
-void refine(Bisection& mesh, const Vec2& lower, const Vec2& upper,
-            std::span<const scene::Refinement> refinements) {
+void refine(Bisection& mesh, const Period& sides, std::span<const scene::Refinement> refinements) {
   const auto is_outer = [&](Index v) {
     const Vec2& x = mesh.vertices()[v];
-    return x.x() == lower.x() || x.x() == upper.x() || x.y() == lower.y() || x.y() == upper.y();
+    const auto at_side = [&](int axis) {
+      return !sides.along[axis] && (x[axis] == sides.lower[axis] || x[axis] == sides.upper[axis]);
+    };
+    return at_side(0) || at_side(1);
   };
   constexpr double round_off = 1e-9;  // a size met exactly is small enough
   const auto is_too_large = [&](Index t) {
@@ -129,9 +132,19 @@ std::vector<double> graded_lines(double lower, double upper, double fine_lower, 
 }
 
 Mesh make_rectangle(const std::vector<double>& x, const std::vector<double>& y,
-                    std::span<const scene::Refinement> refinements) {
-  Bisection mesh = halved_cells(x, y);
-  if (!refinements.empty()) refine(mesh, {x.front(), y.front()}, {x.back(), y.back()}, refinements);
+                    std::span<const scene::Refinement> refinements, const std::array<bool, 2>& periodic) {
+  const Period sides{{x.front(), y.front()}, {x.back(), y.back()}, periodic};
+  Bisection mesh = halved_cells(x, y, !sides.any());
+  if (!refinements.empty()) {
+    for (int axis : {0, 1}) {
+      if (!periodic[axis]) continue;
+      const std::size_t cells = (axis == 0 ? x : y).size() - 1;
+      require(cells >= 3, "a period that is refined needs at least three cells before; got {} along {}",
+              cells, axis == 0 ? "x" : "y");
+      mesh.join_sides(axis);
+    }
+    refine(mesh, sides, refinements);
+  }
 
   enum : Index { left, right, bottom, top };
   std::vector<NamedEdge> edges;
@@ -141,7 +154,9 @@ Mesh make_rectangle(const std::vector<double>& x, const std::vector<double>& y,
     const Index side = upright ? (a.x() == x.front() ? left : right) : (a.y() == y.front() ? bottom : top);
     edges.push_back({edge, side});
   }
-  return make_mesh(mesh.vertices(), mesh.triangles(), edges, {"left", "right", "bottom", "top"});
+  Mesh out = make_mesh(mesh.vertices(), mesh.triangles(), edges, {"left", "right", "bottom", "top"});
+  make_periodic(out, sides);
+  return out;
 }
 
 }  // namespace fpi::fluid

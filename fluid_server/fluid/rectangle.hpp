@@ -22,8 +22,10 @@ std::vector<double> crowded_lines(double lower, double upper, Index cells, doubl
 /// Triangles between grid lines, the diagonals alternating; at the four corners they end in the corner, so
 /// that no triangle has two sides on the boundary (its corner pressure would not be controlled). With
 /// refinements they are halved until every one is as small as is wanted anywhere in it (Mesh::size against
-/// wanted_size); then none has all its vertices on the boundary either.
+/// wanted_size); then none has all its vertices on the boundary either. Along an axis that is periodic the
+/// two sides are joined (make_periodic), and refined alike; refinements then need three cells there.
 Mesh make_rectangle(const std::vector<double>& x, const std::vector<double>& y,
-                    std::span<const scene::Refinement> refinements = {});
+                    std::span<const scene::Refinement> refinements = {},
+                    const std::array<bool, 2>& periodic = {});
 
 }  // namespace fpi::fluid

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "fluid/circle_fit.hpp"
 #include "fluid/gmsh.hpp"
+#include "fluid/periodic_mesh.hpp"
 #include "fluid/rectangle.hpp"
 
 namespace fpi::fluid {
@@ -19,16 +20,31 @@ std::vector<double> lines(const scene::Mesh& m, int axis) {
                       m.largest_cell_size);
 }
 
+Period period(const scene::Periodic& periodic) {
+  Period out;
+  for (const int axis : {0, 1}) {
+    const auto& planes = periodic.along(axis);
+    if (planes.empty()) continue;
+    out.lower[axis] = planes[0];
+    out.upper[axis] = planes[1];
+    out.along[axis] = true;
+  }
+  return out;
+}
+
 }  // namespace
 
-Mesh scene_mesh(const scene::Mesh& parameters, const std::string& file_name, std::string_view file_text) {
+Mesh scene_mesh(const scene::Mesh& parameters, const scene::Periodic& periodic, const std::string& file_name,
+                std::string_view file_text) {
+  const Period sides = period(periodic);
   if (parameters.file.empty())
-    return make_rectangle(lines(parameters, 0), lines(parameters, 1), parameters.refinements);
+    return make_rectangle(lines(parameters, 0), lines(parameters, 1), parameters.refinements, sides.along);
   require(!file_text.empty(), "the bytes of the mesh {} are required; got none: the coupler must send them",
           parameters.file);
   Mesh mesh = read_gmsh(file_text, file_name);
   for (const scene::Circle& circle : parameters.circles)
     fit_circle(mesh, circle.boundary, {circle.centre[0], circle.centre[1]}, circle.radius);
+  make_periodic(mesh, sides);
   return mesh;
 }
 

@@ -6,10 +6,13 @@
 
 #include "fluid/mesh.hpp"
 #include "scene/fluid.hpp"
+#include "scene/periodic.hpp"
 
 namespace fpi::fluid {
 
-/// A rectangle from the scene's numbers, or the Gmsh mesh whose text came with it.
-Mesh scene_mesh(const scene::Mesh& parameters, const std::string& file_name, std::string_view file_text);
+/// A rectangle from the scene's numbers, or the Gmsh mesh whose text came with it, joined where the scene is
+/// periodic.
+Mesh scene_mesh(const scene::Mesh& parameters, const scene::Periodic& periodic, const std::string& file_name,
+                std::string_view file_text);
 
 }  // namespace fpi::fluid

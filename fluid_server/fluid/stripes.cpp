@@ -28,15 +28,17 @@ std::vector<Index> along_the_longer_side(const Mesh& mesh) {
   return order;
 }
 
-bool only_neighbours_meet(const Mesh& mesh, const Stripes& stripes) {
-  std::vector<std::uint8_t> first(mesh.n_vertices(), most_stripes), last(mesh.n_vertices(), 0);
+/// True where no vertex has cells of two even stripes, or of two odd ones.
+bool alike_are_apart(const Mesh& mesh, const Stripes& stripes) {
+  constexpr std::uint8_t none = most_stripes;
+  std::vector<std::array<std::uint8_t, 2>> met(mesh.n_vertices(), {none, none});
   for (Index c = 0; c < mesh.n_cells(); ++c)
-    for (Index v : mesh.cells[c]) {
-      first[v] = std::min(first[v], stripes.of_cell[c]);
-      last[v] = std::max(last[v], stripes.of_cell[c]);
+    for (Index v : mesh.cell_vertices(c)) {
+      const std::uint8_t stripe = stripes.of_cell[c];
+      std::uint8_t& alike = met[v][stripe % 2];
+      if (alike != none && alike != stripe) return false;
+      alike = stripe;
     }
-  for (Index v = 0; v < mesh.n_vertices(); ++v)
-    if (last[v] > first[v] + 1) return false;
   return true;
 }
 
@@ -45,11 +47,12 @@ bool only_neighbours_meet(const Mesh& mesh, const Stripes& stripes) {
 Stripes make_stripes(const Mesh& mesh) {
   const std::vector<Index> order = along_the_longer_side(mesh);
   Stripes stripes{std::clamp(mesh.n_cells() / fewest_cells, 1, most_stripes), {}};
+  if (stripes.n > 1) stripes.n -= stripes.n % 2;  // around a period the last one meets the first
   for (;; stripes.n /= 2) {
     stripes.of_cell.resize(order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
       stripes.of_cell[order[k]] = static_cast<std::uint8_t>(k * stripes.n / order.size());
-    if (stripes.n == 1 || only_neighbours_meet(mesh, stripes)) return stripes;
+    if (stripes.n == 1 || alike_are_apart(mesh, stripes)) return stripes;
   }
 }
 

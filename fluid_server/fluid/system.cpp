@@ -126,7 +126,7 @@ void System::declare_blocks() {
     equations.clear();
     for (int component = 0; component < 2; ++component)
       for (Index node : space_.mesh.cell_nodes(c)) equations.push_back(v[2 * node + component]);
-    for (Index vertex : space_.mesh.cells[c]) equations.push_back(numbering_.pressure[vertex]);
+    for (Index vertex : space_.mesh.cell_vertices(c)) equations.push_back(numbering_.pressure[vertex]);
     matrix_.declare(equations, cell_mask());
   }
   first_ghost_ = matrix_.n_blocks();
@@ -162,7 +162,7 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
     for (const LinePoint& point : gauss_legendre(points_on_piece)) {
       const double parameter = piece.start + point.s * (piece.end - piece.start);
       const double w = point.weight * interface.outline.length(piece.start, piece.end);
-      pieces_[k].shape += w * p2_at(triangle.barycentric(interface.outline.at(parameter)));
+      pieces_[k].shape += w * p2_at(triangle.barycentric(interface.outline.at(parameter) + piece.shift));
       pieces_[k].velocity += w * interface.velocity(piece.arc, parameter);
     }
   }
@@ -174,13 +174,12 @@ Quadrature System::quadrature(std::size_t k) const {
   return {cut.points, {&cut.metric, 1}};
 }
 
-void System::set_load(double t, const std::array<Expression, 2>& body_force) {
-  const bool changes = space_.boundary.traction_depends_on_time() || body_force[0].depends_on_time() ||
-                       body_force[1].depends_on_time();
+void System::set_load(double t, const BodyForce& body_force) {
+  const bool changes = space_.boundary.traction_depends_on_time() || body_force.depends_on_time();
   if (std::exchange(has_load_, true) && !changes) return;
   load_.setZero();
-  space_.boundary.add_tractions(t, outlines(interfaces_), load_);
-  if (body_force[0].is_zero() && body_force[1].is_zero()) return;
+  space_.boundary.add_tractions(t, outlines(cut_.images), load_);
+  if (body_force.is_zero()) return;
   for (std::size_t k = 0; k < active_cells_.size(); ++k) {
     const Index c = active_cells_[k];
     const Quadrature rule = quadrature(k);
@@ -188,8 +187,7 @@ void System::set_load(double t, const std::array<Expression, 2>& body_force) {
     const auto positions = space_.mesh.cell_places(c);
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       const Padded& n = rule.points[q].shape.n;
-      const Vec2 x = position_at(positions, n);
-      const Vec2 f = rule.weight(q) * Vec2(body_force[0](x.x(), x.y(), t), body_force[1](x.x(), x.y(), t));
+      const Vec2 f = rule.weight(q) * body_force(position_at(positions, n), t);
       for (int i = 0; i < 6; ++i) load_.segment<2>(2 * nodes[i]) += n[i] * f;
     }
   }

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "core/expression.hpp"
 #include "core/timer.hpp"
 #include "fluid/block_matrix.hpp"
+#include "fluid/body_force.hpp"
 #include "fluid/cut_mesh.hpp"
 #include "fluid/ghost_penalty.hpp"
 #include "fluid/kernel.hpp"
@@ -66,7 +66,7 @@ class System {
   /// Takes the velocities (not the geometry) of `interfaces`.
   void set_velocities(const std::vector<Interface>& interfaces);
   /// Sets what drives the flow at time t [s]: body force ρb [N/m³] and boundary tractions.
-  void set_load(double t, const std::array<Expression, 2>& body_force);
+  void set_load(double t, const BodyForce& body_force);
 
   /// Residual of eq. (20); fills the matrix with its Jacobian too where `with_jacobian`.
   Residual assemble(const Flow& flow, const Fields& fields, const TimeTerms& time, bool with_jacobian);

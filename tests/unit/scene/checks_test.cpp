@@ -129,5 +129,35 @@ INSTANTIATE_TEST_SUITE_P(
              "drop.toml:4: probes must go with a [fluid]; got [a table]"}),
     [](const auto& one) { return std::string(one.param.name); });
 
+/// The settling disc between walls left and right alone.
+std::string periodic_along_y() {
+  const std::string walls = "left.type = \"no_slip\"\nright.type = \"no_slip\"\n";
+  const std::string all = walls + "bottom.type = \"no_slip\"\ntop.type = \"no_slip\"\n";
+  return with(with(settling, all, walls), "[fluid]\n",
+              "[periodic]\ny = [0, 0.06]\n\n[fluid]\npressure_drop = [0, 2]\n");
+}
+
+TEST(PeriodicScene, sides_of_a_rectangle_are_boundaries_or_periodic) {
+  EXPECT_EQ(error_of(periodic_along_y()), "");
+  EXPECT_NE(error_of(with(periodic_along_y(), "0.06]\n\n", "0.05]\n\n"))
+                .find("must be the sides of the rectangle, [0, 0.06]"),
+            std::string::npos);
+  EXPECT_NE(error_of(with(periodic_along_y(), "left.type", "top.type = \"slip\"\nleft.type"))
+                .find("is no boundary where the scene is periodic along y"),
+            std::string::npos);
+  EXPECT_NE(
+      error_of(with(periodic_along_y(), "[0, 2]", "[1, 2]")).find("must be 0 along x, which is not periodic"),
+      std::string::npos);
+  EXPECT_NE(
+      error_of(with(periodic_along_y(), "[0, 0.06]", "[0.06, 0]")).find("must be [lower, upper], ascending"),
+      std::string::npos);
+}
+
+TEST(PeriodicScene, the_grains_know_the_periodic_box) {
+  const Scene scene = read_text(periodic_along_y(), "drop.toml");
+  for (const Part part : {Part::fluid, Part::dem})
+    EXPECT_EQ(read_text(part_for(part, scene), "part").periodic.y, (std::vector{0, 0.06}));
+}
+
 }  // namespace
 }  // namespace fpi::scene

@@ -1,0 +1,29 @@
+/// [periodic]: the box in which everything repeats itself; the fluid reads it, and so can the grains.
+#pragma once
+
+#include <vector>
+
+#include "core/parameters.hpp"
+
+namespace fpi::scene {
+
+struct Periodic {
+  std::vector<double> x, y;  ///< the two planes across each axis [m]; empty: not periodic
+
+  const std::vector<double>& along(int axis) const { return axis == 0 ? x : y; }
+
+  void declare(ParameterVisitor& v) {
+    v.reals(
+        {"x", "m",
+         "[lower, upper]: the planes x = lower and x = upper are one, and what leaves through one comes in "
+         "through the other; empty: not periodic"},
+        x, {0, 2}, any_number());
+    v.reals({"y", "m", "the same along y"}, y, {0, 2}, any_number());
+    v.require(x.empty() || (x.size() == 2 && x[0] < x[1]), "x",
+              "must be [lower, upper], ascending, or empty");
+    v.require(y.empty() || (y.size() == 2 && y[0] < y[1]), "y",
+              "must be [lower, upper], ascending, or empty");
+  }
+};
+
+}  // namespace fpi::scene
