@@ -1,10 +1,13 @@
 #include "simulation.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "coupling/mesh_around_bodies.hpp"
 #include "wire.hpp"
 
 namespace fpi {
@@ -17,6 +20,18 @@ std::span<const scene::Body> coupled_bodies(const scene::Scene& scene) {
 
 void log_notes(const char* role, const proto::Configured& configured) {
   for (const std::string& note : configured.notes) log::info("{}: {}", role, note);
+}
+
+/// The scene as the fluid gets it, which knows of refinements only, not of the motion of bodies.
+std::string scene_for_fluid(const scene::Scene& scene) {
+  coupling::MeshAroundBodies around = coupling::mesh_around_bodies(scene);
+  for (const std::string& note : around.notes) log::info("mesh: {}", note);
+  scene::Scene refined = scene;
+  scene::Mesh& mesh = refined.fluid->mesh;
+  mesh.elements_per_diameter = 0;
+  mesh.free_bodies_box.clear();
+  std::ranges::move(around.refinements, std::back_inserter(mesh.refinements));
+  return scene::part_for(scene::Part::fluid, refined);
 }
 
 proto::Bytes state_of(const StatesByRole& states, const char* role) {
@@ -48,11 +63,10 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
 
 void Simulation::configure(const MeshFile& mesh, const StatesByRole& states) {
   if (participants_.fluid) {
-    const proto::Configured configured =
-        participants_.fluid->configure({.scene = scene::part_for(scene::Part::fluid, scene_),
-                                        .mesh_name = mesh.name,
-                                        .mesh = mesh.bytes,
-                                        .state = state_of(states, "fluid")});
+    const proto::Configured configured = participants_.fluid->configure({.scene = scene_for_fluid(scene_),
+                                                                         .mesh_name = mesh.name,
+                                                                         .mesh = mesh.bytes,
+                                                                         .state = state_of(states, "fluid")});
     log_notes("fluid", configured);
     take_arc_lengths(configured.arc_lengths);
   }

@@ -66,6 +66,8 @@ struct Mesh {
   std::vector<double> fine_region;        ///< [x0, y0, x1, y1] [m]; empty: everywhere
   double growth = 1.15;                   ///< ratio of neighbouring cell sizes outside fine_region
   double largest_cell_size = 0;           ///< [m]; 0: no limit
+  double elements_per_diameter = 0;       ///< D/h near bodies; 0: they are not looked at
+  std::vector<double> free_bodies_box;    ///< [x0, y0, x1, y1] [m]; empty: as their weight says
   std::vector<Refinement> refinements;    ///< of the rectangle
   std::vector<Circle> circles;            ///< of the Gmsh mesh
 
@@ -88,6 +90,16 @@ struct Mesh {
            between(1, 2));
     v.real({"largest_cell_size", "m", "graded division: upper limit of the size; 0: none"}, largest_cell_size,
            not_negative());
+    v.real({"elements_per_diameter", "",
+            "triangles of the rectangle are halved around each body, where it starts and wherever its "
+            "prescribed motion takes it, to a short side of its diameter over this (a polygon's: of the disc "
+            "of equal area); 0: they are not"},
+           elements_per_diameter, between(0, 1000));
+    v.reals(
+        {"free_bodies_box", "m",
+         "where free bodies need triangles of that size: [x0, y0, x1, y1]; empty: in the column that each "
+         "falls or rises through, with half a diameter on both sides, or everywhere without gravity"},
+        free_bodies_box, {0, 4}, any_number());
     v.tables({"refinements", "", "where triangles of the rectangle are halved until they are small enough"},
              refinements);
     v.tables({"circles", "", "boundaries of a Gmsh mesh of straight triangles that are circles"}, circles);
@@ -103,6 +115,13 @@ struct Mesh {
     v.require(rectangle || (cell_size == 0 && !divided), "file",
               "has its own cells: remove cells_x, cells_y and cell_size");
     v.require(rectangle || refinements.empty(), "file", "has its own triangles: remove the refinements");
+    v.require(rectangle || elements_per_diameter == 0, "file",
+              "has its own triangles: remove elements_per_diameter");
+    v.require(free_bodies_box.empty() ||
+                  (free_bodies_box.size() == 4 && elements_per_diameter > 0 &&
+                   free_bodies_box[0] < free_bodies_box[2] && free_bodies_box[1] < free_bodies_box[3]),
+              "free_bodies_box",
+              "must be [x0, y0, x1, y1] with x0 < x1 and y0 < y1, beside elements_per_diameter");
     v.require(!rectangle || circles.empty(), "lower",
               "must not be given with circles, which are for a mesh file");
     v.require(fine_region.empty() || fine_region.size() == 4, "fine_region",

@@ -331,7 +331,8 @@ void NavierStokes::measure_boundaries() {
 }
 
 std::vector<std::string> NavierStokes::notes() const {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes{fmt::format("a mesh of {} triangles, the smallest of {:.3g} m",
+                                             space_.mesh.n_cells(), space_.smallest_size)};
   if (!flow_.convection) notes.emplace_back("no convection: one linear solve a step");
   if (!settings_.bodies_move)
     notes.emplace_back("no body moves: the cut geometry and its ordering are found once");

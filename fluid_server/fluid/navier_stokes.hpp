@@ -80,7 +80,7 @@ class NavierStokes {
   /// The named boundaries that hold the fluid, and what it did to them as of the last accept.
   const std::vector<BoundaryCurve>& boundary_curves() const { return boundary_recovery_.curves(); }
   const std::vector<BoundaryTraction>& boundary_tractions() const { return boundary_tractions_; }
-  /// What this scene does not need, as sentences.
+  /// How large the mesh is and what this scene does not need, as sentences.
   std::vector<std::string> notes() const;
 
   Monitor monitor;

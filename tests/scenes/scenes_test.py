@@ -18,6 +18,10 @@ FIRST_HALF_SECOND = "time.step=0.025", "time.end=0.5", "output.measure_from=0", 
 TORQUE = -4 * math.pi / 3  # on the inner cylinder, 4πμΩ r1² r2²/(r2² - r1²)
 
 
+def dot(a: list[float], b: list[float]) -> float:
+    return sum(x * y for x, y in zip(a, b))
+
+
 class Scenes(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -157,6 +161,14 @@ class Scenes(unittest.TestCase):
         self.assert_near(summary["bodies"][0]["torque"][2], TORQUE, 1e-4)
         self.assertLess(summary["errors"]["velocity_l2"], 1e-4)
 
+    def test_taylor_couette_refined(self):
+        """Small triangles around the disc only: the torque as exact as asked of small ones everywhere, at half the cost."""
+        everywhere = self.run_scene("taylor_couette")["unknowns"]
+        summary = self.run_again("taylor_couette", "fluid.mesh.cells_x=8", "fluid.mesh.cells_y=8",
+                                 "fluid.mesh.elements_per_diameter=16")
+        self.assertLess(summary["unknowns"], 0.55 * everywhere)
+        self.assert_near(summary["bodies"][0]["torque"][2], TORQUE, 1e-4)
+
     def test_taylor_couette_fitted(self):
         summary = self.run_scene("taylor_couette_fitted")
         inner = next(one for one in summary["boundaries"] if one["name"] == "inner")
@@ -174,13 +186,40 @@ class Scenes(unittest.TestCase):
 
     def test_rotating_blade(self):
         self.run_scene("rotating_blade")
-        self.assert_near(self.second_half_mean("blade.fx"), 0.69, 5e-2)
-        self.assert_near(self.second_half_mean("blade.torque"), -0.0245, 5e-2)
+        self.assert_near(self.second_half_mean("blade.fx"), 0.665, 3e-2)
+        self.assert_near(self.second_half_mean("blade.torque"), -0.0232, 3e-2)
 
     def test_drill(self):
         self.run_scene("drill")
         self.assert_near(self.second_half_mean("drill.fy"), 0.732, 2e-2)
         self.assert_near(self.second_half_mean("drill.torque"), -0.0203, 2e-2)
+
+    def noise(self, columns: tuple[str, ...], start: float) -> float:
+        """The largest distance of the force from the cubic through its two neighbours on both sides, over the largest."""
+        history = self.history()
+        first = next(i for i, t in enumerate(history["time"]) if t >= start)
+        force = [[history[name][i] for name in columns] for i in range(first, len(history["time"]))]
+        jumps = [math.dist([0] * len(columns), [e - (4 * (d + f) - c - g) / 6 for c, d, e, f, g in zip(*five)])
+                 for five in zip(force, force[1:], force[2:], force[3:], force[4:])]
+        return max(jumps) / max(math.hypot(*one) for one in force)
+
+    def test_oscillating_cylinder(self):
+        """The last of three periods, by Morison's formula; the box is smaller than the experiment's."""
+        self.run_scene("oscillating_cylinder", "output.fields=false")
+        history, omega = self.history(), 2 * math.pi * 0.2
+        last = [i for i, t in enumerate(history["time"]) if t > 10]
+        force = [history["cylinder.fx"][i] for i in last]
+        drag = [-0.5 * abs(history["cylinder.vx"][i]) * history["cylinder.vx"][i] for i in last]
+        inertia = [0.25 * math.pi * omega * math.cos(omega * history["time"][i]) for i in last]
+        # Over a period the two shapes are orthogonal, so that each has its own least squares.
+        cd = dot(drag, force) / dot(drag, drag)
+        ci = dot(inertia, force) / dot(inertia, inertia)
+        self.assert_near(cd, 2.09, 5e-2)
+        self.assert_near(ci, 1.45, 5e-2)
+
+    def test_swinging_cylinder(self):
+        self.run_scene("swinging_cylinder", "output.fields=false")
+        self.assertLess(self.noise(("cylinder.fx", "cylinder.fy"), 2), 5e-2)
 
     def test_dry_grains(self):
         bodies = {body["name"]: body for body in self.run_scene("dry_grains")["bodies"]}

@@ -84,6 +84,16 @@ INSTANTIATE_TEST_SUITE_P(
             "mesh_or_rectangle", with(settling, "lower = [0, 0]\n", ""),
             "drop.toml:12: fluid.mesh.lower must name a mesh, or else lower = [x, y] and upper = [x, y] must "
             "give the corners of a rectangle; got nothing"},
+        Case{"box_of_free_bodies",
+             with(settling, "cells_y = 12\n", "cells_y = 12\nfree_bodies_box = [0, 0, 1, 1]\n"),
+             "drop.toml:17: fluid.mesh.free_bodies_box must be [x0, y0, x1, y1] with x0 < x1 and y0 < y1, "
+             "beside "
+             "elements_per_diameter; got [0, 0, 1, 1]"},
+        Case{"elements_per_diameter_of_a_rectangle",
+             with(settling, "lower = [0, 0]\nupper = [0.02, 0.06]\ncells_x = 4\ncells_y = 12\n",
+                  "file = \"box.msh\"\nelements_per_diameter = 8\n"),
+             "drop.toml:13: fluid.mesh.file has its own triangles: remove elements_per_diameter; got "
+             "\"box.msh\""},
         Case{"refinement_region",
              with(settling, "cells_y = 12\n", "cells_y = 12\n[[fluid.mesh.refinements]]\nsize = 1e-3\n"),
              "drop.toml:18: fluid.mesh.refinements.0.size must come with one region: box = [x0, y0, x1, y1], "

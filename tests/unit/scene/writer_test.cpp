@@ -66,8 +66,13 @@ TEST(Writer, keeps_every_bit_of_a_number) {
 TEST(Writer, escapes_strings_and_quotes_odd_names) {
   Scene scene = read_text(settling, "drop.toml");
   scene.title = "a \"quoted\" \\ line\nand\ttab, é";
-  scene.fluid->mesh =
-      Mesh{.file = "box.msh", .lower = {}, .upper = {}, .fine_region = {}, .refinements = {}, .circles = {}};
+  scene.fluid->mesh = Mesh{.file = "box.msh",
+                           .lower = {},
+                           .upper = {},
+                           .fine_region = {},
+                           .free_bodies_box = {},
+                           .refinements = {},
+                           .circles = {}};
   scene.fluid->boundaries["the inlet"] = Boundary{.type = "no_slip"};
   const Scene back = read_text(write_text(scene), "written");
   EXPECT_EQ(back.title, scene.title);
