@@ -12,6 +12,37 @@
 namespace fpi::coupling {
 namespace {
 
+double length(const scene::Periodic& periodic, int axis) {
+  const auto& planes = periodic.along(axis);
+  return planes.empty() ? 0 : planes[1] - planes[0];
+}
+
+/// The position inside the box in which everything repeats itself.
+Eigen::Vector3d wrapped(Eigen::Vector3d position, const scene::Periodic& periodic) {
+  for (int axis = 0; axis < 2; ++axis)
+    if (const double period = length(periodic, axis); period > 0)
+      position[axis] -= period * std::floor((position[axis] - periodic.along(axis)[0]) / period);
+  return position;
+}
+
+/// Shifts by periods under which [lower, upper] meets the mesh's rectangle; at least none at all.
+std::vector<Eigen::Vector2d> images(const scene::Scene& scene, const Eigen::Vector2d& lower,
+                                    const Eigen::Vector2d& upper) {
+  const scene::Mesh& mesh = scene.fluid->mesh;
+  const auto shifts = [&](int axis) {
+    std::vector<double> out{0};
+    const double period = length(scene.periodic, axis);
+    for (const double shift : {-period, period})
+      if (period > 0 && lower[axis] + shift < mesh.upper[axis] && upper[axis] + shift > mesh.lower[axis])
+        out.push_back(shift);
+    return out;
+  };
+  std::vector<Eigen::Vector2d> out;
+  for (const double x : shifts(0))
+    for (const double y : shifts(1)) out.emplace_back(x, y);
+  return out;
+}
+
 /// Where a body is at a time; `extent` is how far its outline is from the centre.
 struct Place {
   RigidMotion motion;
@@ -26,7 +57,8 @@ struct Place {
   }
 };
 
-/// A disc that turns in place stays as it is.
+/// Largest distance of a polygon's outline from its position; 0 of a disc, which stays as it is when it
+/// turns.
 double extent_that_turns(const scene::Body& body) {
   double largest = 0;
   for (std::size_t i = 0; i + 1 < body.vertices.size(); i += 2)
@@ -35,16 +67,19 @@ double extent_that_turns(const scene::Body& body) {
 }
 
 /// Places of a body over the run such that it is never farther than `spacing` from one of them.
-std::vector<Place> path(const scene::Body& body, const scene::Time& time, double spacing) {
+std::vector<Place> path(const scene::Body& body, const scene::Scene& scene, double spacing) {
   constexpr double most_samples = 1e5, samples_per_step = 4;
+  const scene::Time& time = scene.time;
   const double extent = extent_that_turns(body);
   RigidMotion motion = initial_motion(body);
+  motion.position = wrapped(motion.position, scene.periodic);
   std::vector<Place> places{{motion, extent}};
   if (time.steady || !body.changes_place()) return places;
   const PrescribedMotion prescribed(body);
   const double samples = std::min(most_samples, std::ceil(samples_per_step * time.end / time.step));
   for (double k = 0; k < samples; ++k) {
     motion = prescribed.advanced(motion, k * time.end / samples, (k + 1) * time.end / samples);
+    motion.position = wrapped(motion.position, scene.periodic);
     const Place place(motion, extent);
     const auto is_near = [&](const Place& other) { return place.distance(other) <= spacing; };
     if (std::ranges::none_of(places, is_near)) places.push_back(place);
@@ -57,16 +92,17 @@ Arcs outline(const scene::Scene& scene, const scene::Body& body, const RigidMoti
   return cut_outline(body, motion, scene.hydraulic_radius_ratio, undivided);
 }
 
-scene::Refinement around(const Arcs& outline, double size) {
+scene::Refinement around(const Arcs& outline, const Eigen::Vector2d& shift, double size) {
   scene::Refinement refinement;
   refinement.size = size;
   if (outline.radius > 0) {
-    refinement.centre = {outline.centre.x(), outline.centre.y()};
+    refinement.centre = {outline.centre.x() + shift.x(), outline.centre.y() + shift.y()};
     refinement.radius = outline.radius;
-  } else {
-    refinement.line = outline.vertices;
-    refinement.line.insert(refinement.line.end(), outline.vertices.begin(), outline.vertices.begin() + 2);
+    return refinement;
   }
+  const std::size_t n = outline.vertices.size();
+  for (std::size_t i = 0; i < n + 2; ++i)
+    refinement.line.push_back(outline.vertices[i % n] + shift[static_cast<Eigen::Index>(i % 2)]);
   return refinement;
 }
 
@@ -83,8 +119,11 @@ std::vector<double> column(const scene::Scene& scene, const scene::Body& body, d
       start + down.normalized() * std::hypot(whole[2] - whole[0], whole[3] - whole[1]);
   std::vector<double> box = whole;
   for (int axis = 0; axis < 2; ++axis) {
-    box[axis] = std::clamp(std::min(start[axis], end[axis]) - margin, whole[axis], whole[axis + 2]);
-    box[axis + 2] = std::clamp(std::max(start[axis], end[axis]) + margin, whole[axis], whole[axis + 2]);
+    const bool comes_back = length(scene.periodic, axis) > 0;
+    if (comes_back && down[axis] != 0) continue;
+    const double least = comes_back ? -1e300 : whole[axis], largest = comes_back ? 1e300 : whole[axis + 2];
+    box[axis] = std::clamp(std::min(start[axis], end[axis]) - margin, least, largest);
+    box[axis + 2] = std::clamp(std::max(start[axis], end[axis]) + margin, least, largest);
   }
   return box;
 }
@@ -99,15 +138,23 @@ void refine_for_free(const scene::Scene& scene, const scene::Body& body, double 
       "triangles of {:.3g} m where body \"{}\" is expected, in [{:.4g}, {:.4g}] × [{:.4g}, {:.4g}] m; "
       "fluid.mesh.free_bodies_box names another place",
       size, body.name, region.box[0], region.box[2], region.box[1], region.box[3]));
-  out.refinements.push_back(std::move(region));
+  const std::vector<double> box = region.box;
+  for (const Eigen::Vector2d& shift : images(scene, {box[0], box[1]}, {box[2], box[3]})) {
+    for (int k = 0; k < 4; ++k) region.box[k] = box[k] + shift[k % 2];
+    out.refinements.push_back(region);
+  }
 }
 
 void refine_along_path(const scene::Scene& scene, const scene::Body& body, double size,
                        MeshAroundBodies& out) {
   // Triangles that a place within half their size meets are as small as if it met them itself.
-  const std::vector<Place> places = path(body, scene.time, size / 2);
-  for (const Place& place : places)
-    out.refinements.push_back(around(outline(scene, body, place.motion), size));
+  const std::vector<Place> places = path(body, scene, size / 2);
+  for (const Place& place : places) {
+    const Eigen::Vector2d centre = place.motion.position.head<2>(),
+                          reach = Eigen::Vector2d::Constant(body.radius + place.extent);
+    for (const Eigen::Vector2d& shift : images(scene, centre - reach, centre + reach))
+      out.refinements.push_back(around(outline(scene, body, place.motion), shift, size));
+  }
   out.notes.push_back(fmt::format("triangles of {:.3g} m around body \"{}\"{}", size, body.name,
                                   places.size() == 1 ? "" : " wherever it comes"));
 }

@@ -81,6 +81,27 @@ TEST(MeshAroundBodies, a_blade_that_turns_is_followed_around_once) {
   for (const auto& r : found) EXPECT_EQ(r.line.size(), 10u);
 }
 
+TEST(MeshAroundBodies, what_reaches_over_a_periodic_side_is_refined_at_the_other_too) {
+  scene::Scene s = scene_of({disc(9.9, 5, 0.5), disc(5, 5, 0.5)});
+  s.periodic.x = {0, 10};
+  const auto found = mesh_around_bodies(s).refinements;
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].centre, (Box{9.9, 5}));
+  EXPECT_NEAR(found[1].centre[0], -0.1, 1e-12);
+  s.bodies = {disc(25, 5, 0.5, "prescribed")};  // outside the box, and twice through it
+  s.bodies[0].prescribed_velocity = {"1", "0"};
+  const auto path = mesh_around_bodies(s).refinements;
+  EXPECT_GE(path.size(), 10 / (1.0 / 16));
+  EXPECT_LE(path.size(), 11 / (0.5 / 16));
+  for (const auto& r : path) EXPECT_LE(std::abs(r.centre[0] - 5), 5.5);
+  s.bodies = {disc(0.2, 12, 0.5, "free")};
+  s.gravity = {0, -10};
+  const auto column = mesh_around_bodies(s).refinements;
+  ASSERT_EQ(column.size(), 2u);
+  EXPECT_DOUBLE_EQ(column[1].box[0], 9.2);
+  EXPECT_DOUBLE_EQ(column[1].box[2], 11.2);
+}
+
 TEST(MeshAroundBodies, a_free_body_gets_the_column_that_its_weight_draws_it_through) {
   scene::Scene s = scene_of({disc(5, 12, 0.5, "free")});
   s.gravity = {0, -10};
