@@ -14,7 +14,9 @@ double microseconds_per_cell(System& system, Index n_cells, bool with_jacobian) 
   const Space& space = system.space();
   Fields fields{Vector::Random(2 * space.mesh.n_nodes()), Vector::Random(space.mesh.n_vertices()),
                 Vector::Random(2 * system.cut().n_multipliers())};
-  TimeTerms time{Vector::Constant(space.mesh.n_nodes(), 100), Vector::Random(2 * space.mesh.n_nodes())};
+  TimeTerms time;
+  time.inertia = 100;
+  time.history = Vector::Random(2 * space.mesh.n_nodes());
   const Flow flow{1, 1e-3, 1, true};
   double best = 1e9;
   for (int repeat = 0; repeat < 20; ++repeat) {
@@ -31,7 +33,7 @@ void measure(const char* name, Mesh mesh) {
   for (const char* side : {"left", "right", "bottom", "top"}) conditions[side].type = "no_slip";
   const Space space(std::move(mesh), conditions);
   Ledger ledger;
-  System system(space, {}, {}, false, ledger);
+  System system(space, {}, {}, ledger);
   const Index n = space.mesh.n_cells();
   std::printf("%-10s %6d triangles: residual %.2f µs, residual and Jacobian %.2f µs each\n", name, n,
               microseconds_per_cell(system, n, false), microseconds_per_cell(system, n, true));

@@ -6,6 +6,8 @@
 namespace fpi::fluid {
 namespace {
 
+constexpr double passing =
+    3;  ///< rate of the ghost penalty over speed/h, measured: less is noisier, more less exact
 constexpr std::size_t most_curved_points = triangle_degree_6.size();
 
 /// Number `lane` of a value that holds one or several.
@@ -18,15 +20,26 @@ void take_values(const Mesh& mesh, Index cell, const Fields& fields, const TimeT
                  const Vector& acceleration, int lane, ElementState<T>& state) {
   const auto nodes = mesh.cell_nodes(cell);
   const auto vertices = mesh.cell_vertices(cell);
+  const bool follows = time.follows_path(cell);
+  state.inertia = time.inertia;
   for (int i = 0; i < 6; ++i) {
     const Index n = nodes[i];
     part(state.ux[i], lane) = fields.u[2 * n];
     part(state.uy[i], lane) = fields.u[2 * n + 1];
-    part(state.ax[i], lane) = acceleration[2 * n];
-    part(state.ay[i], lane) = acceleration[2 * n + 1];
-    part(state.inertia[i], lane) = time.inertia[n];
+    part(state.ax[i], lane) = follows ? time.inertia * fields.u[2 * n] : acceleration[2 * n];
+    part(state.ay[i], lane) = follows ? time.inertia * fields.u[2 * n + 1] : acceleration[2 * n + 1];
+    part(state.wx[i], lane) = time.moves() ? time.drift[2 * n] : 0;
+    part(state.wy[i], lane) = time.moves() ? time.drift[2 * n + 1] : 0;
   }
   for (int k = 0; k < 3; ++k) part(state.p[k], lane) = fields.p[vertices[k]];
+}
+
+/// Of the paths of some nodes [m/s].
+double largest_drift(const TimeTerms& time, std::span<const Index> nodes) {
+  double largest = 0;
+  if (time.moves())
+    for (Index n : nodes) largest = std::max(largest, time.drift.segment<2>(2 * n).norm());
+  return largest;
 }
 
 /// Adds the residual in one lane to the nodes of a cell.
@@ -46,6 +59,7 @@ void add_values(const Mesh& mesh, Index cell, std::array<T, element_unknowns>& e
 
 Residual System::assemble(const Flow& flow, const Fields& fields, const TimeTerms& time, bool with_jacobian) {
   Residual residual{-load_, Vector::Zero(fields.p.size()), Vector::Zero(fields.lambda.size())};
+  if (time.load.size() > 0) residual.u -= flow.density * time.load;
   if (with_jacobian) matrix_.set_zero();
   const Vector acceleration = time.acceleration(fields.u);
   assemble_cells({flow, fields, time, acceleration, residual, with_jacobian});
@@ -119,21 +133,21 @@ void System::assemble_ghost(const Flow& flow, const Fields& fields, const TimeTe
   Index number = first_ghost_;
   for (const GhostFace& face : ghosts_) {
     const double viscous = embedding_.ghost_viscous * mu / face.h2;
-    const double inertial = embedding_.ghost_inertia * rho;
     const double pressure = -embedding_.ghost_pressure / mu;  // the continuity equation carries −s_p
 
-    // γ_m acts on inertia · u where bodies move, since the history of uncovered nodes is a guess; on the
-    // acceleration where they do not, so that it vanishes with Δt as the scheme's own error does.
+    // γ_m acts on the acceleration where the body rests, so that it vanishes with Δt as the scheme's own
+    // error does; where it moves, nodes inside have no history, so on u, at the rate at which elements are
+    // passed.
+    const double speed = largest_drift(time, face.nodes);
+    const double rate =
+        speed > 0 ? std::min(time.inertia, passing * speed / std::sqrt(face.h2)) : time.inertia;
+    const double inertial = embedding_.ghost_inertia * rho;
     Eigen::Matrix<double, 9, 2> z;
-    Eigen::Matrix<double, 9, 1> slope;
-    for (int i = 0; i < 9; ++i) {
-      const Index n = face.nodes[i];
-      slope[i] = viscous + inertial * time.inertia[n];
+    for (int i = 0; i < 9; ++i)
       for (int c = 0; c < 2; ++c) {
-        const double u = fields.u[2 * n + c];
-        z(i, c) = viscous * u + inertial * (bodies_move_ ? time.inertia[n] * u : acceleration[2 * n + c]);
+        const Index k = 2 * face.nodes[i] + c;
+        z(i, c) = viscous * fields.u[k] + inertial * (speed > 0 ? rate * fields.u[k] : acceleration[k]);
       }
-    }
     const Eigen::Matrix<double, 9, 2> r = face.velocity * z;
     for (int i = 0; i < 9; ++i)
       for (int c = 0; c < 2; ++c) residual.u[2 * face.nodes[i] + c] += r(i, c);
@@ -144,7 +158,7 @@ void System::assemble_ghost(const Flow& flow, const Fields& fields, const TimeTe
 
     if (with_jacobian) {
       block.setZero();
-      block.topLeftCorner<9, 9>() = face.velocity * slope.asDiagonal();
+      block.topLeftCorner<9, 9>() = (viscous + inertial * rate) * face.velocity;
       block.bottomRightCorner<9, 9>() = block.topLeftCorner<9, 9>();
       if (has_slip_node(face.nodes)) rotate_slip(face.nodes, 0, 9, block_size::ghost, dense.data());
       matrix_.add(number, dense.data());

@@ -26,6 +26,7 @@ struct Disc {
   Vec2 centroid() const { return centre; }
   double area() const { return std::numbers::pi * radius * radius; }
   bool contains(const Vec2& x) const { return (x - centre).squaredNorm() < radius * radius; }
+  double nearest(const Vec2& x) const { return angle(x); }  ///< parameter of the point nearest to x
   /// Signed distance of x from the circle [m], negative inside.
   double distance(const Vec2& x) const { return (x - centre).norm() - radius; }
   Vec2 lower() const { return centre - Vec2::Constant(radius); }

@@ -1,16 +1,18 @@
 #include "fluid/kept_factor.hpp"
 
+#include <cmath>
+
 namespace fpi::fluid {
 
-void KeptFactor::lend(Iterate& iterate, const Vector& inertia, bool is_linear) const {
+void KeptFactor::lend(Iterate& iterate, double inertia, bool is_linear) const {
   iterate.factor = nullptr;
   iterate.cost = cost_;
   if (!factor_) return;
-  const bool close = ((inertia - inertia_).array().abs() <= 0.2 * inertia_.array()).all();
+  const bool close = std::abs(inertia - inertia_) <= 0.2 * inertia_;
   if (is_linear ? inertia == inertia_ : close) iterate.factor = factor_;
 }
 
-void KeptFactor::take(const Iterate& iterate, const Vector& inertia) {
+void KeptFactor::take(const Iterate& iterate, double inertia) {
   const bool is_new = iterate.factor != factor_;
   const double of_step = iterate.cost - (is_new ? 0 : cost_);
   steps_ = is_new ? 1 : steps_ + 1;

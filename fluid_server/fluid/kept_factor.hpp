@@ -8,18 +8,18 @@ namespace fpi::fluid {
 
 class KeptFactor {
  public:
-  /// Gives the factor to a step whose nodes have this inertia [1/s], or none where it does not fit. A linear
+  /// Gives the factor to a step of this inertia [1/s], or none where it does not fit. A linear
   /// problem trusts a factor, so there it must fit to the bit; else a fifth more or less serves.
-  void lend(Iterate& iterate, const Vector& inertia, bool is_linear) const;
+  void lend(Iterate& iterate, double inertia, bool is_linear) const;
   /// Takes what an accepted step ended with.
-  void take(const Iterate& iterate, const Vector& inertia);
+  void take(const Iterate& iterate, double inertia);
   void drop() { *this = {}; }
 
  private:
   std::shared_ptr<const Factor> factor_;
   double cost_ = 0;     // of the factor and all solves with it
   unsigned steps_ = 0;  // that it has served
-  Vector inertia_;      // of the last of them
+  double inertia_ = 0;  // of the last of them
 };
 
 }  // namespace fpi::fluid

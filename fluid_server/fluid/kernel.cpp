@@ -31,24 +31,25 @@ class Sum {
       nx[i] = shape.dn[0][i] * metric.gx[0] + shape.dn[1][i] * metric.gx[1] + shape.dn[2][i] * metric.gx[2];
       ny[i] = shape.dn[0][i] * metric.gy[0] + shape.dn[1][i] * metric.gy[1] + shape.dn[2][i] * metric.gy[2];
     }
-    T ux{}, uy{}, ax{}, ay{}, ux_x{}, ux_y{}, uy_x{}, uy_y{};
+    T ux{}, uy{}, ax{}, ay{}, wx{}, wy{}, ux_x{}, ux_y{}, uy_x{}, uy_y{};
     for (int i = 0; i < n_u; ++i) {
       ux += n[i] * s_.ux[i];
       uy += n[i] * s_.uy[i];
       ax += n[i] * s_.ax[i];
       ay += n[i] * s_.ay[i];
+      wx += n[i] * s_.wx[i];
+      wy += n[i] * s_.wy[i];
       ux_x += nx[i] * s_.ux[i];
       ux_y += ny[i] * s_.ux[i];
       uy_x += nx[i] * s_.uy[i];
       uy_y += ny[i] * s_.uy[i];
     }
     const T p = shape.l[0] * s_.p[0] + shape.l[1] * s_.p[1] + shape.l[2] * s_.p[2];
-    ux *= convection_;
-    uy *= convection_;
-    ax += ux * ux_x + uy * ux_y;  // (∇u)u
-    ay += ux * uy_x + uy * uy_y;
+    const T cx = convection_ * ux - wx, cy = convection_ * uy - wy;
+    ax += cx * ux_x + cy * ux_y;  // (∇u)(u − w)
+    ay += cx * uy_x + cy * uy_y;
 
-    // w·ρ(∂u/∂t + (∇u)u) + μ(∇u + ∇uᵀ):∇w − p ∇·w
+    // w·ρ(∂u/∂t + (∇u)(u − w)) + μ(∇u + ∇uᵀ):∇w − p ∇·w
     const T fx = w * rho_ * ax, fy = w * rho_ * ay;
     const T s_xx = w * (mu_ * (1 + sym_) * ux_x - p), s_xy = w * mu_ * (ux_y + sym_ * uy_x);
     const T s_yy = w * (mu_ * (1 + sym_) * uy_y - p), s_yx = w * mu_ * (uy_x + sym_ * ux_y);
@@ -62,8 +63,8 @@ class Sum {
 
     if constexpr (with_jacobian) {
       for (int c = 0; c < n_u; ++c) {
-        // Derivative by u_c of what N_i multiplies: ρ(N_c/(γΔt) + u·∇N_c) + ρ N_c ∇u
-        const T inertia = w * rho_ * (n[c] * s_.inertia[c] + ux * nx[c] + uy * ny[c]);
+        // Derivative by u_c of what N_i multiplies: ρ(N_c/(γΔt) + (u − w)·∇N_c) + ρ N_c ∇u
+        const T inertia = w * rho_ * (n[c] * s_.inertia + cx * nx[c] + cy * ny[c]);
         const T reaction = w * (rho_ * convection_ * n[c]);
         const T mx = w * mu_ * nx[c], my = w * mu_ * ny[c];
         const T c_xx = inertia + reaction * ux_x, c_yx = reaction * uy_x;
@@ -76,10 +77,10 @@ class Sum {
           by_y[i] += c_xy * n[i] + sym_ * mx * ny[i];
           by_y[n_u + i] += c_yy * n[i] + mx * nx[i] + (1 + sym_) * my * ny[i];
         }
-        const T wx = w * nx[c], wy = w * ny[c];
+        const T of_x = w * nx[c], of_y = w * ny[c];
         for (int k = 0; k < 3; ++k) {
-          by_x[first_p + k] -= shape.l[k] * wx;
-          by_y[first_p + k] -= shape.l[k] * wy;
+          by_x[first_p + k] -= shape.l[k] * of_x;
+          by_y[first_p + k] -= shape.l[k] * of_y;
         }
       }
     }

@@ -25,10 +25,11 @@ inline constexpr int n_lanes = 4;
 /// Nodal values of an element, in the order of Mesh::cell_nodes.
 template <class T>
 struct ElementState {
-  std::array<T, 6> ux, uy;   ///< u [m/s]
-  std::array<T, 6> ax, ay;   ///< ∂u/∂t [m/s²]
-  std::array<T, 6> inertia;  ///< ∂a/∂u = 1/(γ Δt) of each node [1/s]; zero in steady flow
-  std::array<T, 3> p;        ///< [Pa]
+  std::array<T, 6> ux, uy;  ///< u [m/s]
+  std::array<T, 6> ax, ay;  ///< ∂u/∂t along the paths of the nodes [m/s²]
+  std::array<T, 6> wx, wy;  ///< velocity of these paths [m/s]
+  double inertia;           ///< ∂a/∂u = 1/(γ Δt) [1/s]; zero in steady flow
+  std::array<T, 3> p;       ///< [Pa]
 };
 
 /// Local unknowns: ux 0–5, uy 6–11, p 12–14.

@@ -32,10 +32,8 @@ NavierStokes::NavierStokes(Mesh mesh, Settings settings)
       space_(std::move(mesh), settings_.fluid.boundaries),
       boundary_recovery_(space_.mesh, space_.boundary) {
   check_linear_solver(settings_.fluid.linear_solver);
+  accepted_ = State::at_rest(space_.mesh.n_nodes(), space_.mesh.n_vertices());
   accepted_.u = nodal_values(space_.mesh, settings_.fluid.initial_velocity);
-  accepted_.acceleration = Vector::Zero(accepted_.u.size());
-  accepted_.p = Vector::Zero(space_.mesh.n_vertices());
-  accepted_.previous_acceleration = accepted_.acceleration;
   space_.boundary.impose(0, accepted_.u);
 }
 
@@ -66,7 +64,7 @@ Result NavierStokes::advance(const Request& request) {
   if (result.newton.converged) {
     result.tractions = tractions();
     if (request.time_step > 0)
-      result.time_error = time_error(start_, current_.fields.u, request.time_step, gamma_);
+      result.time_error = time_error(scheme_, start_, current_.fields.u, request.time_step);
   }
   last_converged_ = result.newton.converged;
   return result;
@@ -78,8 +76,7 @@ NewtonResult NavierStokes::start_step(const Request& request) {
     system_ = accepted_system_;
   } else if (!system_ || !system_->same_geometry(request.interfaces)) {
     monitor.phase("interface");
-    system_ = std::make_shared<System>(space_, settings_.fluid, request.interfaces, settings_.bodies_move,
-                                       monitor.ledger);
+    system_ = std::make_shared<System>(space_, settings_.fluid, request.interfaces, monitor.ledger);
   }
   start_ = accepted_;
   NewtonResult result;
@@ -87,39 +84,43 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   if (request.time_step > 0 && !start_.has_acceleration && settings_.fluid.newmark_gamma < 1 &&
       !settings_.bodies_move)
     result = begin(request);
-  set_time_terms(request.time_step);
+  set_time_terms(request);
   system_->set_load(request.time, body_force_);
-  base_.fields = with_multipliers(guess(request.time_step), start_.p);
+  // A start from rest into a given inflow has an acceleration that no guess should follow for a whole step.
+  const bool follow = accepted_.has_acceleration;
+  base_.fields =
+      with_multipliers(follow ? predicted_velocity(start_, request.time_step) : start_.u, start_.p);
   if (start_.damped_steps > 0) return result;  // with the factor of the first half
   base_.factor = nullptr;
   if (system_ == accepted_system_) kept_.lend(base_, time_terms_.inertia, flow_.convection == 0);
   return result;
 }
 
-void NavierStokes::set_time_terms(double time_step) {
-  const Mesh& mesh = space_.mesh;
-  if (time_step == 0) {
-    time_terms_ = TimeTerms::steady(mesh.n_nodes());
-    return;
+void NavierStokes::set_time_terms(const Request& request) {
+  const double step = request.time_step, gamma = settings_.fluid.newmark_gamma;
+  if (step == 0) {
+    time_terms_ = TimeTerms::steady(space_.mesh.n_nodes());
+  } else if (!settings_.bodies_move) {
+    const bool second_half = start_.damped_steps > 0;  // of a damped step
+    scheme_ = Scheme::newmark(second_half ? 0.5 * step : step, start_.has_acceleration ? gamma : 1);
+    time_terms_ = time_terms(scheme_, start_);
+  } else {
+    monitor.phase("interface");
+    const ScopedTimer timer(monitor.ledger, "interface");
+    scheme_ = gamma == 1 ? Scheme::newmark(step, 1) : Scheme::bdf2(step, start_.previous_step);
+    displacement_ = displacement(space_, request.interfaces, accepted_.places, step);
+    if (displacement_.isZero(0) && accepted_.drift.isZero(0)) {
+      time_terms_ = time_terms(scheme_, start_);
+      return;
+    }
+    start_ = along_paths(space_, displacement_, accepted_);
+    time_terms_ = time_terms(scheme_, start_, displacement_);
+    follow_paths(*system_, displacement_, accepted_, scheme_, time_terms_);
   }
-  const bool second_half = start_.damped_steps > 0;  // of a damped step
-  // Bodies that move start with backward Euler: their first acceleration is a result of the coupling.
-  const double gamma = start_.has_acceleration ? settings_.fluid.newmark_gamma : 1;
-  gamma_ = settings_.bodies_move ? gamma_of_nodes(mesh, system_->cut(), gamma)
-                                 : Vector::Constant(mesh.n_nodes(), gamma);
-  time_terms_ = newmark(start_.u, start_.acceleration, second_half ? 0.5 * time_step : time_step, gamma_);
 }
 
 Fields NavierStokes::with_multipliers(const Vector& u, const Vector& p) const {
   return {u, p, Vector::Zero(2 * system_->cut().n_multipliers())};
-}
-
-/// A start from rest into a given inflow has an acceleration that no guess should follow for a whole step;
-/// near bodies that move the one before is of no use.
-Vector NavierStokes::guess(double time_step) const {
-  if (!accepted_.has_acceleration) return start_.u;
-  if (settings_.bodies_move) return start_.u + time_step * start_.acceleration;
-  return predicted_velocity(start_, time_step);
 }
 
 /// γ < 1 starts from an acceleration. A velocity that meets the boundaries and is divergence-free has one; a
@@ -146,7 +147,7 @@ NewtonResult NavierStokes::begin(const Request& request) {
 
 NewtonResult NavierStokes::first_half_step(const Request& request) {
   const double half = 0.5 * request.time_step;
-  const TimeTerms terms = newmark(start_.u, start_.acceleration, half, Vector::Ones(space_.mesh.n_nodes()));
+  const TimeTerms terms = time_terms(Scheme::newmark(half, 1), start_);
   Iterate& iterate = base_ = {with_multipliers(start_.u, start_.p), nullptr, 0};
   if (system_ == accepted_system_) kept_.lend(iterate, terms.inertia, flow_.convection == 0);
   system_->set_velocities(request.interfaces);
@@ -162,13 +163,12 @@ NewtonResult NavierStokes::first_half_step(const Request& request) {
 /// the boundaries, the second finds the acceleration that the equations and the boundaries then ask for.
 NewtonResult NavierStokes::find_consistent_start(const Request& request, State& start) {
   const double tiny = 1e-6 * request.time_step;
-  const Vector ones = Vector::Ones(space_.mesh.n_nodes());
   system_->set_velocities(request.interfaces);
   Iterate iterate{with_multipliers(start.u, start.p), nullptr, 0};
   NewtonResult result;
   for (const double t : {start.time, start.time + tiny}) {
     start.u = iterate.fields.u;
-    const TimeTerms terms = newmark(start.u, start.acceleration, tiny, ones);
+    const TimeTerms terms = time_terms(Scheme::newmark(tiny, 1), start);
     system_->set_load(t, body_force_);
     space_.boundary.impose(t, iterate.fields.u);
     result = solve(*system_, flow_, terms, settings_.fluid.newton, iterate, monitor);
@@ -230,14 +230,19 @@ void NavierStokes::accept() {
   measure_boundaries();
   accepted_.time = last_->time;
   accepted_.previous_acceleration = start_.acceleration;
-  accepted_.previous_step = start_.has_acceleration ? last_->time_step : 0;
+  accepted_.has_previous_acceleration = start_.has_acceleration;
+  accepted_.previous_step = last_->time_step;
+  accepted_.previous_u = std::move(accepted_.u);
+  if (displacement_.size() > 0) accepted_.drift = displacement_ / last_->time_step;
   accepted_.acceleration = time_terms_.acceleration(fields.u);
   accepted_.has_acceleration = last_->time_step > 0 && start_.damped_steps <= 0;
   accepted_.damped_steps = start_.damped_steps > 0 ? start_.damped_steps - 1 : start_.damped_steps;
   accepted_.u = fields.u;
   accepted_.p = fields.p;
   accepted_interfaces_ = system_->interfaces();
-  // What bodies cover moves with them, so that a node they uncover has a history.
+  accepted_.places.clear();
+  for (const Interface& interface : accepted_interfaces_) accepted_.places.push_back(place_of(interface));
+  // What bodies cover moves with them; a path that grazes another body may ask.
   for (const CoveredNode& covered : system_->cut().covered) {
     if (system_->numbering().node_is_active[covered.node]) continue;
     accepted_.u.segment<2>(2 * covered.node) = body_velocity(covered);
@@ -245,7 +250,10 @@ void NavierStokes::accept() {
   }
   for (Vector* field : {&accepted_.u, &accepted_.acceleration}) spread_to_copies(space_.mesh, 2, *field);
   spread_to_copies(space_.mesh, 1, accepted_.p);
-  kept_.take(current_, time_terms_.inertia);
+  if (time_terms_.moves())
+    kept_.drop();  // the next step has another matrix, be it for the drift alone
+  else
+    kept_.take(current_, time_terms_.inertia);
   accepted_system_ = system_;
   last_.reset();
 }

@@ -10,9 +10,10 @@
 
 #include "fluid/boundary_traction.hpp"
 #include "fluid/exact.hpp"
+#include "fluid/history.hpp"
 #include "fluid/kept_factor.hpp"
+#include "fluid/motion.hpp"
 #include "fluid/state.hpp"
-#include "fluid/time_scheme.hpp"
 
 namespace fpi::fluid {
 
@@ -87,14 +88,13 @@ class NavierStokes {
 
  private:
   NewtonResult start_step(const Request& request);
-  void set_time_terms(double time_step);
+  void set_time_terms(const Request& request);
   /// u and p [m/s, Pa], and no multiplier yet.
   Fields with_multipliers(const Vector& u, const Vector& p) const;
   NewtonResult begin(const Request& request);
   NewtonResult find_consistent_start(const Request& request, State& start);
   NewtonResult first_half_step(const Request& request);
   NewtonResult solve_step(const Request& request);
-  Vector guess(double time_step) const;
   std::vector<BodyTraction> tractions() const;
   Vec2 body_velocity(const CoveredNode& covered) const;
   void measure_boundaries();
@@ -110,7 +110,8 @@ class NavierStokes {
   std::shared_ptr<System> system_;  // of the last geometry asked for
   TimeTerms time_terms_;
   Iterate base_, current_;  // before and after the last sub-iteration
-  Vector gamma_;            // of the nodes in this step
+  Scheme scheme_;           // of this step
+  Vector displacement_;     // of the nodes in this step; empty: no body moves
   State start_;             // of this step: the accepted state, made consistent at the first step
   KeptFactor kept_;         // of the accepted system
   std::shared_ptr<System> accepted_system_;

@@ -16,8 +16,8 @@ constexpr double best_ratio = 0.05;  ///< a faster contraction is not trusted to
 /// number.
 double round_off_velocity(const Flow& flow, const TimeTerms& time, const Fields& fields, double h) {
   const double viscous = h / flow.viscosity;
-  const double inertia = time.inertia.maxCoeff();
-  const double mobility = inertia > 0 ? std::min(viscous, 1 / (inertia * flow.density * h)) : viscous;
+  const double mobility =
+      time.inertia > 0 ? std::min(viscous, 1 / (time.inertia * flow.density * h)) : viscous;
   return 1e-13 * mobility * fields.p.lpNorm<Eigen::Infinity>() *
          std::sqrt(static_cast<double>(fields.u.size()));
 }

@@ -50,6 +50,9 @@ class Outline {
   bool contains(const Vec2& x) const {
     return visit([&](const auto& s) { return s.contains(x); });
   }
+  double nearest(const Vec2& x) const {  ///< parameter of the point nearest to x
+    return visit([&](const auto& s) { return s.nearest(x); });
+  }
   /// Signed distance from the outline [m], negative inside.
   double distance(const Vec2& x) const {
     return visit([&](const auto& s) { return s.distance(x); });

@@ -63,13 +63,22 @@ bool Polygon::contains(const Vec2& x) const {
   return inside;
 }
 
-double Polygon::distance(const Vec2& x) const {
-  double nearest_one = std::numeric_limits<double>::infinity();
+double Polygon::nearest(const Vec2& x) const {
+  double least = std::numeric_limits<double>::infinity(), parameter = 0;
   for (int k = 0; k < size(); ++k) {
     const auto [from, to] = side(k);
-    nearest_one = std::min(nearest_one, distance_to_segment(from, to, x));
+    const double t = std::clamp(fluid::nearest(from, to, x), 0.0, 1.0);
+    const double distance = (from + t * (to - from) - x).norm();
+    if (distance >= least) continue;
+    least = distance;
+    parameter = k + t;
   }
-  return contains(x) ? -nearest_one : nearest_one;
+  return parameter;
+}
+
+double Polygon::distance(const Vec2& x) const {
+  const double distance = (at(nearest(x)) - x).norm();
+  return contains(x) ? -distance : distance;
 }
 
 Polygon Polygon::moved(const Vec2& shift) const {

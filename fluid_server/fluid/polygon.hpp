@@ -30,6 +30,7 @@ struct Polygon {
   double area() const;
   Vec2 centroid() const;
   bool contains(const Vec2& x) const;
+  double nearest(const Vec2& x) const;  ///< parameter of the point nearest to x
   /// Signed distance of x from the outline [m], negative inside.
   double distance(const Vec2& x) const;
   /// A length well above the round-off of coordinates and far below all that matters [m].

@@ -5,7 +5,9 @@
 namespace fpi::fluid {
 namespace {
 
-constexpr std::uint64_t magic = 0x32534c4644495046;  // "FPIDFLS2"
+constexpr std::uint64_t magic = 0x33534c4644495046;  // "FPIDFLS3"
+
+constexpr std::size_t bytes_a_place = 4 * sizeof(double);
 
 std::span<const double> view(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
@@ -16,6 +18,14 @@ Vector read_vector(ByteReader& read, Eigen::Index size) {
 }
 
 }  // namespace
+
+State State::at_rest(Index n_nodes, Index n_vertices) {
+  State state;
+  state.u = Vector::Zero(2 * static_cast<Eigen::Index>(n_nodes));
+  state.acceleration = state.previous_u = state.previous_acceleration = state.drift = state.u;
+  state.p = Vector::Zero(n_vertices);
+  return state;
+}
 
 std::vector<std::uint8_t> to_bytes(const State& state) {
   ByteWriter write;
@@ -28,7 +38,15 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   write.put(view(state.acceleration));
   write.put(view(state.p));
   write.put(state.previous_step);
+  write.put(view(state.previous_u));
+  write.put(static_cast<std::uint8_t>(state.has_previous_acceleration));
   write.put(view(state.previous_acceleration));
+  write.put(view(state.drift));
+  write.put(static_cast<std::uint64_t>(state.places.size()));
+  for (const BodyPlace& place : state.places) {
+    write.put(static_cast<std::int64_t>(place.body));
+    for (const double number : {place.centre.x(), place.centre.y(), place.angle}) write.put(number);
+  }
   write.put(static_cast<std::int64_t>(state.damped_steps));
   return std::move(write.bytes);
 }
@@ -48,7 +66,19 @@ State from_bytes(std::span<const std::uint8_t> bytes, Index n_nodes, Index n_ver
   state.acceleration = read_vector(read, 2 * n_nodes);
   state.p = read_vector(read, n_vertices);
   state.previous_step = read.number();
+  state.previous_u = read_vector(read, 2 * n_nodes);
+  state.has_previous_acceleration = read.get<std::uint8_t>() != 0;
   state.previous_acceleration = read_vector(read, 2 * n_nodes);
+  state.drift = read_vector(read, 2 * n_nodes);
+  const auto n_places = read.get<std::uint64_t>();
+  require(n_places <= read.left() / bytes_a_place,
+          "the fluid's state holds fewer places of bodies than the {} it names: take another checkpoint",
+          n_places);
+  for (std::uint64_t i = 0; i < n_places; ++i) {
+    const auto body = static_cast<Index>(read.get<std::int64_t>());
+    const double x = read.number(), y = read.number();
+    state.places.push_back({body, Vec2(x, y), read.number()});
+  }
   state.damped_steps = static_cast<int>(read.get<std::int64_t>());
   require(read.left() == 0, "the fluid's state has {} bytes too many: take another checkpoint", read.left());
   return state;

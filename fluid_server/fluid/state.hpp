@@ -9,15 +9,29 @@
 
 namespace fpi::fluid {
 
+/// Where the outline of a body is: its centroid, and for a polygon the angle under which its first corner is
+/// seen from there.
+struct BodyPlace {
+  Index body;
+  Vec2 centre;   ///< [m]
+  double angle;  ///< [rad]
+};
+
 struct State {
   double time = 0;      ///< [s]
   Vector u;             ///< x, y of each node [m/s]
-  Vector acceleration;  ///< x, y of each node [m/s²]
+  Vector acceleration;  ///< x, y of each node, along its path [m/s²]
   Vector p;             ///< of each vertex [Pa]
   bool has_acceleration = false;
-  double previous_step = 0;      ///< Δt of the step that led here [s]; 0: there is none, or none to build on
-  Vector previous_acceleration;  ///< at its start [m/s²]
-  int damped_steps = -1;         ///< that a sudden start still takes; −1: not known before the first step
+  double previous_step = 0;  ///< Δt of the step that led here [s]; 0: there is none
+  Vector previous_u;         ///< at its start [m/s]
+  bool has_previous_acceleration = false;
+  Vector previous_acceleration;   ///< at its start [m/s²]
+  Vector drift;                   ///< mean velocity of each node's path over it [m/s], see motion.hpp
+  std::vector<BodyPlace> places;  ///< of the bodies
+  int damped_steps = -1;          ///< that a sudden start still takes; −1: not known before the first step
+
+  static State at_rest(Index n_nodes, Index n_vertices);
 };
 
 std::vector<std::uint8_t> to_bytes(const State& state);

@@ -53,11 +53,10 @@ const BlockMask& arc_mask(bool mixed) {
 }  // namespace
 
 System::System(const Space& space, const scene::Fluid& parameters, std::vector<Interface> interfaces,
-               bool bodies_move, Ledger& ledger)
+               Ledger& ledger)
     : space_(space),
       embedding_(parameters.embedding),
       linear_solver_(parameters.linear_solver),
-      bodies_move_(bodies_move),
       interfaces_(std::move(interfaces)),
       matrix_(0) {
   {

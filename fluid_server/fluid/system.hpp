@@ -25,18 +25,24 @@ struct Fields {
   Vector lambda;  ///< x, y of each arc [Pa]
 };
 
-/// The acceleration as a function of the velocity, node by node: a = inertia · u − history (paper, eq. 10).
+/// The acceleration as a function of the velocity: a = inertia · u − history (paper, eq. 10). Where nodes
+/// move with bodies both are taken along their paths, and what is missing of ∂u/∂t, (∇u) drift, joins
+/// convection.
 struct TimeTerms {
-  Vector inertia;  ///< 1/(γ Δt) of each node [1/s]; zero in steady flow
-  Vector history;  ///< x, y of each node [m/s²]
+  double inertia = 0;                 ///< 1/(γ Δt) [1/s]; zero in steady flow
+  Vector history;                     ///< x, y of each node [m/s²]
+  Vector drift;                       ///< x, y of each node: velocity of its path [m/s]; empty: all stay
+  std::vector<std::uint8_t> follows;  ///< cells whose history is not of nodes but in `load`; empty: none
+  Vector load;                        ///< x, y of each node: ∫ w · history over these cells [m³/s²]
 
-  static TimeTerms steady(Index n_nodes) { return {Vector::Zero(n_nodes), Vector::Zero(2 * n_nodes)}; }
-  Vector acceleration(const Vector& u) const {
-    Vector a(u.size());
-    for (Eigen::Index i = 0; i < inertia.size(); ++i)
-      a.segment<2>(2 * i) = inertia[i] * u.segment<2>(2 * i) - history.segment<2>(2 * i);
-    return a;
+  static TimeTerms steady(Index n_nodes) {
+    TimeTerms terms;
+    terms.history = Vector::Zero(2 * static_cast<Eigen::Index>(n_nodes));
+    return terms;
   }
+  bool moves() const { return drift.size() > 0; }
+  bool follows_path(Index cell) const { return !follows.empty() && follows[cell] != 0; }
+  Vector acceleration(const Vector& u) const { return inertia * u - history; }
 };
 
 /// Residual before constraints: what each node, vertex and arc would have to balance [N/m, m²/s, m²/s].
@@ -53,7 +59,7 @@ inline constexpr int cell = element_unknowns, ghost = 18, arc = 14;
 class System {
  public:
   System(const Space& space, const scene::Fluid& parameters, std::vector<Interface> interfaces,
-         bool bodies_move, Ledger& ledger);
+         Ledger& ledger);
 
   const Space& space() const { return space_; }
   const CutMesh& cut() const { return cut_; }
@@ -76,6 +82,9 @@ class System {
   /// Adds `step` times an update of the unknowns to the fields.
   void add(const Vector& update, double step, Fields& fields) const;
 
+  const std::vector<Index>& active_cells() const { return active_cells_; }
+  /// Over the fluid part of the k-th active cell.
+  Quadrature quadrature(std::size_t k) const;
   /// Size h of the smallest element [m].
   double smallest_size() const { return space_.smallest_size; }
   const BlockMatrix& matrix() const { return matrix_; }
@@ -116,8 +125,6 @@ class System {
   void assemble_ghost(const Flow& flow, const Fields& fields, const TimeTerms& time,
                       const Vector& acceleration, Residual& residual, bool with_jacobian);
   void assemble_arcs(const Fields& fields, Residual& residual, bool with_jacobian);
-  /// Over the fluid part of the k-th active cell.
-  Quadrature quadrature(std::size_t k) const;
   bool has_slip_node(std::span<const Index> nodes) const;
   void rotate_slip(std::span<const Index> nodes, int first_x, int first_y, int n, double* dense) const;
 
@@ -130,7 +137,6 @@ class System {
   const Space& space_;
   scene::Embedding embedding_;
   std::string linear_solver_;
-  bool bodies_move_;
   std::vector<Interface> interfaces_;
   CutMesh cut_;
   std::vector<double> arc_lengths_;

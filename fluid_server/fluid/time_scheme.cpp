@@ -1,53 +1,47 @@
 #include "fluid/time_scheme.hpp"
 
-#include <algorithm>
-
 namespace fpi::fluid {
 
-TimeTerms newmark(const Vector& u, const Vector& acceleration, double time_step, const Vector& gamma) {
-  TimeTerms terms{(gamma * time_step).cwiseInverse(), Vector(u.size())};
-  for (Eigen::Index i = 0; i < gamma.size(); ++i)
-    terms.history.segment<2>(2 * i) =
-        terms.inertia[i] * u.segment<2>(2 * i) + (1 - gamma[i]) / gamma[i] * acceleration.segment<2>(2 * i);
+Scheme Scheme::newmark(double time_step, double gamma) {
+  return {1 / (gamma * time_step), 0, (1 - gamma) / gamma};
+}
+
+Scheme Scheme::bdf2(double time_step, double previous_step) {
+  if (previous_step == 0) return newmark(time_step, 1);
+  const double omega = time_step / previous_step;
+  return {(1 + 2 * omega) / ((1 + omega) * time_step), omega / (1 + omega) / previous_step, 0};
+}
+
+TimeTerms time_terms(const Scheme& scheme, const State& start, const Vector& displacement) {
+  TimeTerms terms;
+  terms.inertia = scheme.inertia;
+  terms.history = scheme.inertia * start.u + scheme.acceleration * start.acceleration;
+  if (scheme.is_bdf2()) terms.history += scheme.before * (start.u - start.previous_u);
+  if (displacement.size() == 0) return terms;
+  terms.drift = scheme.inertia * displacement - scheme.before * start.previous_step * start.drift;
   return terms;
 }
 
 Vector predicted_velocity(const State& state, double time_step) {
   if (!state.has_acceleration) return state.u;
   const Vector tangent = state.u + time_step * state.acceleration;
-  if (state.previous_step == 0) return tangent;
+  if (!state.has_previous_acceleration) return tangent;
   const double bend = 0.5 * time_step * time_step / state.previous_step;
   return tangent + bend * (state.acceleration - state.previous_acceleration);
 }
 
-TimeError time_error(const State& start, const Vector& u, double time_step, const Vector& gamma) {
-  if (!start.has_acceleration || start.previous_step == 0) return {};
-  const Vector from_tangent = u - start.u - time_step * start.acceleration;
-  const Vector from_prediction = u - predicted_velocity(start, time_step);
-  const double second_order = 1 / (3 * (1 + start.previous_step / time_step));
-  const bool is_second_order = gamma.maxCoeff() == 0.5;
-  double sum = 0;
-  for (Eigen::Index n = 0; n < gamma.size(); ++n) {
-    const double first_order = (gamma[n] - 0.5) / gamma[n];
-    sum += gamma[n] == 0.5 ? (second_order * from_prediction.segment<2>(2 * n)).squaredNorm()
-                           : (first_order * from_tangent.segment<2>(2 * n)).squaredNorm();
-  }
-  const double size = u.norm();
-  return {size > 0 ? std::sqrt(sum) / size : 0, is_second_order ? 3 : 2};
-}
-
-Vector gamma_of_nodes(const Mesh& mesh, const CutMesh& cut, double gamma) {
-  std::vector<std::uint8_t> near_body(mesh.n_nodes(), 0);
-  for (Index c = 0; c < mesh.n_cells(); ++c)
-    if (cut.state[c] != CellState::fluid)
-      for (Index node : mesh.cell_nodes(c)) near_body[node] = 1;
-  Vector out = Vector::Constant(mesh.n_nodes(), gamma);
-  for (Index c = 0; c < mesh.n_cells(); ++c) {
-    const auto nodes = mesh.cell_nodes(c);
-    if (std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return near_body[n] != 0; }))
-      for (Index node : nodes) out[node] = 1;
-  }
-  return out;
+/// Where both are of second order the step is off by own · Δt³ u‴ and the prediction by (1/6 + 1/(4ω)) Δt³ u‴
+/// to the other side.
+TimeError time_error(const Scheme& scheme, const State& start, const Vector& u, double time_step) {
+  if (!start.has_acceleration || !start.has_previous_acceleration) return {};
+  const double size = u.norm(), first_order = 1 - 0.5 * scheme.inertia * time_step;  // (γ − ½)/γ
+  if (size == 0) return {0, 3};
+  if (!scheme.is_bdf2() && first_order > 0)
+    return {first_order * (u - start.u - time_step * start.acceleration).norm() / size, 2};
+  const double omega = time_step / start.previous_step;
+  const double own = scheme.is_bdf2() ? (1 + omega) * (1 + omega) / (6 * omega * (1 + 2 * omega)) : 1.0 / 12;
+  const double share = own / (own + 1.0 / 6 + 1 / (4 * omega));
+  return {share * (u - predicted_velocity(start, time_step)).norm() / size, 3};
 }
 
 }  // namespace fpi::fluid

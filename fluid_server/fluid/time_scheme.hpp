@@ -1,15 +1,29 @@
-/// Newmark's method (paper, eqs. 10–11), node by node: γ = 1 near bodies that move, the scene's γ elsewhere
-/// (numerics.md section 2: γ = ½ amplifies what cuts do to the stored acceleration).
+/// One step in time: Newmark's method (paper, eqs. 10–11), or BDF2 where bodies move, since γ = ½ never damps
+/// what their cuts do to the stored acceleration. BDF2 is Newmark's method with γ = (1 + ω)/(1 + 2ω), ω the
+/// ratio of the step to the one before, and with the mean acceleration over the last step for the one at its
+/// end.
 #pragma once
 
-#include "fluid/cut_mesh.hpp"
 #include "fluid/state.hpp"
 #include "fluid/system.hpp"
 
 namespace fpi::fluid {
 
-/// a^{n+1} = (u^{n+1} − u^n)/(γ Δt) − (1 − γ)/γ a^n with γ of each node.
-TimeTerms newmark(const Vector& u, const Vector& acceleration, double time_step, const Vector& gamma);
+/// a^{n+1} = inertia · u^{n+1} − [inertia · u^n + before · (u^n − u^{n−1}) + acceleration · a^n].
+struct Scheme {
+  double inertia = 0;       ///< 1/(γ Δt) [1/s]
+  double before = 0;        ///< [1/s]
+  double acceleration = 0;  ///< (1 − γ)/γ
+
+  static Scheme newmark(double time_step, double gamma);
+  /// Backward Euler where `previous_step` is 0.
+  static Scheme bdf2(double time_step, double previous_step);
+  bool is_bdf2() const { return before > 0; }
+};
+
+/// Where the nodes went by `displacement` [m] in the step, `start` holds what they took along; empty: they
+/// stay.
+TimeTerms time_terms(const Scheme& scheme, const State& start, const Vector& displacement = {});
 
 /// The velocity after the next step without solving for it: u + Δt a + ½ Δt²/Δt_previous (a − a_previous),
 /// Adams and Bashforth's second order, or as much of it as the state's history allows.
@@ -21,9 +35,6 @@ struct TimeError {
   double relative = 0;  ///< 0: the history is too short to tell
   int power = 0;        ///< of Δt that the error of a step goes with
 };
-TimeError time_error(const State& start, const Vector& u, double time_step, const Vector& gamma);
-
-/// 1 on the nodes of cut and deactivated elements and of their neighbours, `gamma` elsewhere.
-Vector gamma_of_nodes(const Mesh& mesh, const CutMesh& cut, double gamma);
+TimeError time_error(const Scheme& scheme, const State& start, const Vector& u, double time_step);
 
 }  // namespace fpi::fluid

@@ -10,9 +10,9 @@ struct FakeFactor : Factor {
   Vector back_solve(const Vector& b, Form) const override { return b; }
 };
 
-const Vector inertia = Vector::Constant(3, 100.0);
+constexpr double inertia = 100;
 
-std::shared_ptr<const Factor> lent(const KeptFactor& kept, const Vector& now, bool is_linear) {
+std::shared_ptr<const Factor> lent(const KeptFactor& kept, double now, bool is_linear) {
   Iterate iterate;
   kept.lend(iterate, now, is_linear);
   return iterate.factor;

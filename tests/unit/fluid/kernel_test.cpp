@@ -14,12 +14,14 @@ const Triangle triangle({Vec2(0.1, -0.2), Vec2(1.3, 0.4), Vec2(0.3, 0.9)});
 
 ElementState<double> state_of(const Local& v, double inertia) {
   ElementState<double> s;
+  s.inertia = inertia;
   for (int i = 0; i < 6; ++i) {
     s.ux[i] = v[i];
     s.uy[i] = v[6 + i];
-    s.inertia[i] = inertia * (1 + 0.1 * i);
-    s.ax[i] = s.inertia[i] * s.ux[i];
-    s.ay[i] = s.inertia[i] * s.uy[i];
+    s.ax[i] = inertia * s.ux[i];
+    s.ay[i] = inertia * s.uy[i];
+    s.wx[i] = inertia * (0.1 - 0.03 * i);  // paths move in unsteady flow only
+    s.wy[i] = inertia * 0.06 * i;
   }
   for (int k = 0; k < 3; ++k) s.p[k] = v[12 + k];
   return s;
@@ -97,8 +99,10 @@ TEST(Kernel, four_elements_at_once_give_what_each_gives_alone) {
       put(states.uy[i], lane, one.uy[i]);
       put(states.ax[i], lane, one.ax[i]);
       put(states.ay[i], lane, one.ay[i]);
-      put(states.inertia[i], lane, one.inertia[i]);
+      put(states.wx[i], lane, one.wx[i]);
+      put(states.wy[i], lane, one.wy[i]);
     }
+    states.inertia = one.inertia;
     for (int k = 0; k < 3; ++k) {
       put(states.p[k], lane, one.p[k]);
       put(metrics.gx[k], lane, metric.gx[k]);
