@@ -48,7 +48,8 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
       dofs_(coupled_bodies(scene), scene.thickness),
       predictor_(scene.coupling.predictor),
       iteration_(scene.coupling, dofs_),
-      arc_lengths_(scene.bodies.size()) {
+      arc_lengths_(scene.bodies.size()),
+      told_of_coarse_mesh_(scene.bodies.size()) {
   for (const scene::Body& body : scene.bodies) {
     coupling::RigidMotion motion = coupling::initial_motion(body);
     prescribed_.emplace_back();
@@ -87,7 +88,23 @@ void Simulation::take_arc_lengths(const std::vector<proto::ArcLength>& lengths) 
   for (std::size_t i = 0; i < arc_lengths_.size(); ++i) {
     require(arc_lengths_[i] > 0, "the fluid must say an arc length > 0 m for body \"{}\"; got {}",
             scene_.bodies[i].name, arc_lengths_[i]);
+    warn_where_coarse(i);
   }
+}
+
+/// Tells once when a body comes where triangles are clearly larger than the scene asks for beside it.
+void Simulation::warn_where_coarse(std::size_t body) {
+  constexpr double clearly = 1.5;
+  const double asked = scene_.fluid->mesh.elements_per_diameter;
+  if (asked == 0 || told_of_coarse_mesh_[body]) return;
+  const double found = coupling::diameter(scene_.bodies[body], scene_.hydraulic_radius_ratio) *
+                       scene_.fluid->embedding.arc_ratio / arc_lengths_[body];
+  if (clearly * found >= asked) return;
+  told_of_coarse_mesh_[body] = true;
+  log::warning(
+      "body \"{}\" has come where its diameter spans {:.3g} triangles only, not {} "
+      "(fluid.mesh.elements_per_diameter): name where free bodies go by fluid.mesh.free_bodies_box",
+      scene_.bodies[body].name, found, asked);
 }
 
 Attempt Simulation::attempt(double start, double end, double time_step) {

@@ -85,6 +85,7 @@ class Simulation {
   void take_tractions(std::vector<proto::Traction> tractions);
   void take_motions(const std::vector<proto::Motion>& motions);
   void take_arc_lengths(const std::vector<proto::ArcLength>& lengths);
+  void warn_where_coarse(std::size_t body);
 
   const scene::Scene& scene_;
   Participants participants_;
@@ -94,6 +95,7 @@ class Simulation {
   coupling::StaggeredIteration iteration_;
   std::vector<std::optional<coupling::PrescribedMotion>> prescribed_;  ///< of bodies that are not free
   std::vector<double> arc_lengths_;                                    ///< [m] wanted, one a body
+  std::vector<bool> told_of_coarse_mesh_;                              ///< one a body
 
   std::uint64_t steps_ = 0;
   CoupledState accepted_, attempted_;

@@ -51,13 +51,21 @@ std::vector<BodyTraction> solve(NavierStokes& solver, std::vector<Interface> bod
   return result.tractions;
 }
 
+/// A case that is farther off than any mesh explains has failed.
+void set_error(Outcome& outcome, double error, double limit) {
+  outcome.error = error;
+  outcome.fail_unless(error < limit,
+                      fmt::format("it is {:.2g} off what is known; below {:g} was expected", error, limit));
+}
+
 std::map<std::string, scene::Boundary> on_all_sides(const scene::Boundary& b) {
   return {{"left", b}, {"right", b}, {"bottom", b}, {"top", b}};
 }
 
 /// Taylor–Couette flow outside a disc that spins: u = Ω × x (a + b/r²), at rest at r = 2. Its torque per
 /// length is −4πμb.
-Outcome couette_flow(const Placement& place, double viscosity, double reynolds, Outcome outcome) {
+Outcome couette_flow(const Placement& place, double viscosity, double reynolds, double limit,
+                     Outcome outcome) {
   outcome.parameters["Re"] = reynolds;
   outcome.parameters["viscosity"] = viscosity;
   const double omega = reynolds * viscosity, a = -omega / 3, b = omega * 4 / 3;
@@ -70,7 +78,7 @@ Outcome couette_flow(const Placement& place, double viscosity, double reynolds, 
   Interface disc = circle(0, place.centre, 1, solver.arc_length(Disc{place.centre, 1}));
   disc.rigid.spin = omega;
   if (const auto tractions = solve(solver, {disc}, outcome); !tractions.empty())
-    outcome.error = std::abs(tractions[0].torque / (-4 * pi * viscosity * b) - 1);
+    set_error(outcome, std::abs(tractions[0].torque / (-4 * pi * viscosity * b) - 1), limit);
   return outcome;
 }
 
@@ -79,14 +87,14 @@ Outcome couette(Random& random, const Effort& effort) {
   Outcome outcome;
   const Placement place(random, coarsest, effort.finest, outcome);
   const double viscosity = random.over_decades(1e-2, 1e2);
-  return couette_flow(place, viscosity, random.sign() * random.over_decades(1e-2, 1e2), outcome);
+  return couette_flow(place, viscosity, random.sign() * random.over_decades(1e-2, 1e2), 0.25, outcome);
 }
 
 /// On one mesh in one flow, so that nothing but the cut differs from case to case.
 Outcome cuts(Random& random, const Effort&) {
   Outcome outcome;
   const Placement place(random, 8, 8, outcome);
-  return couette_flow(place, 1, 1, outcome);
+  return couette_flow(place, 1, 1, 1e-3, outcome);
 }
 
 /// Stokes flow outside a disc of radius 1 that moves with velocity V along x: a Stokeslet, a dipole and a
@@ -113,7 +121,7 @@ Outcome stokes(Random& random, const Effort& effort) {
   disc.rigid.translation = {speed, 0};
   if (const auto tractions = solve(solver, {disc}, outcome); !tractions.empty()) {
     const double drag = -4 * pi * mu * strength;
-    outcome.error = (tractions[0].force - Vec2(drag, 0)).norm() / std::abs(drag);
+    set_error(outcome, (tractions[0].force - Vec2(drag, 0)).norm() / std::abs(drag), 0.1);
   }
   return outcome;
 }
@@ -164,14 +172,13 @@ Outcome mirror(Random& random, const Effort& effort) {
   NavierStokes other(make_rectangle(uniform_lines(-2, 2, 4 * half), uniform_lines(-1, 1, 2 * half)), s);
   const auto seen = solve(other, reflection, outcome);
   if (tractions.empty() || seen.empty()) return outcome;
-  double scale = 0;
+  double scale = 0, error = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     scale = std::max(scale, tractions[i].force.norm());
-    outcome.error = std::max({outcome.error, (mirrored(tractions[i].force) - seen[i].force).norm(),
-                              std::abs(tractions[i].torque + seen[i].torque)});
+    error = std::max({error, (mirrored(tractions[i].force) - seen[i].force).norm(),
+                      std::abs(tractions[i].torque + seen[i].torque)});
   }
-  outcome.error /= scale;
-  outcome.fail_unless(outcome.error < 1e-6, "the mirrored bodies feel other forces");
+  set_error(outcome, error / scale, 1e-6);
   return outcome;
 }
 

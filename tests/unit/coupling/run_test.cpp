@@ -158,6 +158,24 @@ TEST_F(RunTest, after_all_halvings_the_run_ends_with_the_reason_and_its_results)
   EXPECT_DOUBLE_EQ(fields.attribute("/steps/000001", "time"), 0.4);
 }
 
+TEST_F(RunTest, a_body_where_the_mesh_is_coarser_than_asked_is_warned_of_once) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  const auto warnings = [&](double elements_per_diameter, const std::string& name) {
+    scene.fluid->mesh.elements_per_diameter = elements_per_diameter;
+    log::open("coupler", folder / name, log::Level::error);
+    CoupledRun run = make_run(scene);
+    run.start({});
+    run.march();
+    log::flush();
+    const std::string text = read_text_file(folder / name), told = "its diameter spans 5 triangles only";
+    const std::size_t first = text.find(told);
+    return first == std::string::npos ? 0 : text.find(told, first + 1) == std::string::npos ? 1 : 2;
+  };
+  fluid.arc_length = 0.2;  // of a disc of diameter 1
+  EXPECT_EQ(warnings(5, "as_asked"), 0);
+  EXPECT_EQ(warnings(16, "too_coarse"), 1);
+}
+
 TEST_F(RunTest, a_step_that_is_changed_to_hit_output_times_is_logged) {
   scene::Scene scene = make_scene({disc("ball", "free")});
   const auto logged = [&](const std::string& name) {
