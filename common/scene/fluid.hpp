@@ -171,10 +171,10 @@ struct Newton {
 
 /// [fluid.embedding]: numerics.md section 1. The defaults suit every scene measured so far.
 struct Embedding {
-  double arc_ratio = 1.0;       ///< H/h
-  double ghost_viscous = 0.1;   ///< γ_u
-  double ghost_pressure = 0.1;  ///< γ_p
-  double ghost_inertia = 0.1;   ///< γ_m
+  double arc_ratio = 1.25;       ///< H/h
+  double ghost_viscous = 0.1;    ///< γ_u
+  double ghost_pressure = 0.02;  ///< γ_p
+  double ghost_inertia = 0.1;    ///< γ_m
 
   void declare(ParameterVisitor& v) {
     v.real({"arc_ratio", "", "H/h: length of a multiplier arc over the local element size"}, arc_ratio,

@@ -174,22 +174,26 @@ void System::assemble_arcs(const Fields& fields, Residual& residual, bool with_j
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     const ArcPiece& piece = cut_.pieces[k];
     const auto nodes = space_.mesh.cell_nodes(piece.cell);
-    const Padded& shape = pieces_[k].shape;
-    const auto lambda = fields.lambda.segment<2>(2 * piece.multiplier);
-    auto slip = residual.lambda.segment<2>(2 * piece.multiplier);
-    slip -= pieces_[k].velocity;
-    for (int i = 0; i < 6; ++i) {
-      residual.u.segment<2>(2 * nodes[i]) += shape[i] * lambda;
-      slip += shape[i] * fields.u.segment<2>(2 * nodes[i]);
+    for (int end = 0; end < 2; ++end) {
+      const Padded& shape = pieces_[k].shape[end];
+      const auto lambda = fields.lambda.segment<2>(2 * piece.multipliers[end]);
+      auto slip = residual.lambda.segment<2>(2 * piece.multipliers[end]);
+      slip -= pieces_[k].velocity[end];
+      for (int i = 0; i < 6; ++i) {
+        residual.u.segment<2>(2 * nodes[i]) += shape[i] * lambda;
+        slip += shape[i] * fields.u.segment<2>(2 * nodes[i]);
+      }
     }
     if (!with_jacobian) continue;
     dense.fill(0);
-    for (int c = 0; c < 2; ++c)
-      for (int i = 0; i < 6; ++i) {
-        const int velocity = 2 + 6 * c + i;
-        dense[velocity + block_size::arc * c] = dense[c + block_size::arc * velocity] = shape[i];
-      }
-    if (has_slip_node(nodes)) rotate_slip(nodes, 2, 8, block_size::arc, dense.data());
+    for (int end = 0; end < 2; ++end)
+      for (int c = 0; c < 2; ++c)
+        for (int i = 0; i < 6; ++i) {
+          const int velocity = 4 + 6 * c + i, multiplier = 2 * end + c;
+          dense[velocity + block_size::arc * multiplier] = dense[multiplier + block_size::arc * velocity] =
+              pieces_[k].shape[end][i];
+        }
+    if (has_slip_node(nodes)) rotate_slip(nodes, 4, 10, block_size::arc, dense.data());
     matrix_.add(first_piece_ + static_cast<Index>(k), dense.data());
   }
 }

@@ -80,13 +80,15 @@ void add_pieces(const Interface& interface, const Image& image, Index first_mult
                 const Interval& stretch, std::vector<ArcPiece>& pieces) {
   const double period = interface.outline.period();
   for (Index a = 0; a < interface.n_arcs(); ++a) {
+    const auto [m1, m2] = interface.multipliers(a);
+    const std::array<Index, 2> multipliers{first_multiplier + m1, first_multiplier + m2};
     const double arc_start = interface.start[a], arc_end = interface.end[a];
     const double first_turn = std::floor((arc_start - stretch.end) / period);
     for (double turn = first_turn; stretch.start + turn * period < arc_end; ++turn) {
       const double start = std::max(stretch.start + turn * period, arc_start);
       const double end = std::min(stretch.end + turn * period, arc_end);
       if (end - start > shortest)
-        pieces.push_back({cell, image.interface, a, first_multiplier + a, start, end, image.shift});
+        pieces.push_back({cell, image.interface, a, multipliers, start, end, image.shift});
     }
   }
 }
@@ -176,8 +178,12 @@ CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Inter
     it = end;
   }
   out.active_length.assign(out.n_multipliers(), 0);
-  for (const ArcPiece& piece : out.pieces)
-    out.active_length[piece.multiplier] += interfaces[piece.interface].outline.length(piece.start, piece.end);
+  for (const ArcPiece& piece : out.pieces) {
+    const Interface& interface = interfaces[piece.interface];
+    const auto hats = interface.hats(piece.arc, 0.5 * (piece.start + piece.end));
+    for (int k = 0; k < 2; ++k)
+      out.active_length[piece.multipliers[k]] += hats[k] * interface.outline.length(piece.start, piece.end);
+  }
   collect_ghost_edges(mesh, out);
   collect_covered_nodes(mesh, locator, out);
   return out;

@@ -3,6 +3,7 @@
 /// body are looked at.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -25,11 +26,11 @@ struct Image {
 /// A stretch of one arc (or edge) inside one element.
 struct ArcPiece {
   Index cell;
-  Index interface;    ///< index in the list of interfaces
-  Index arc;          ///< number of the arc on its body
-  Index multiplier;   ///< number of the arc among all of them
-  double start, end;  ///< parameters of the outline
-  Vec2 shift;         ///< of the image that lies in the element [m]
+  Index interface;                   ///< index in the list of interfaces
+  Index arc;                         ///< number of the arc on its body
+  std::array<Index, 2> multipliers;  ///< of the arc, numbered through all interfaces
+  double start, end;                 ///< parameters of the outline
+  Vec2 shift;                        ///< of the image that lies in the element [m]
 };
 
 struct CutCell {
@@ -53,7 +54,7 @@ struct CutMesh {
   std::vector<Index> ghost_edges;       ///< between two active cells of which one is cut
   std::vector<CoveredNode> covered;     ///< nodes inside a body
   std::vector<Index> first_multiplier;  ///< of each interface; one more entry at the end
-  std::vector<double> active_length;    ///< [m] of each arc that lies in the fluid domain
+  std::vector<double> active_length;    ///< ∫ of each multiplier's function in the fluid [m]
 
   bool is_active(Index cell) const { return state[cell] != CellState::solid; }
   Index n_multipliers() const { return first_multiplier.back(); }

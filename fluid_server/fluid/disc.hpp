@@ -18,11 +18,6 @@ struct Disc {
   Vec2 at(double angle) const { return centre + radius * Vec2(std::cos(angle), std::sin(angle)); }
   double angle(const Vec2& x) const { return std::atan2(x.y() - centre.y(), x.x() - centre.x()); }
   double length(double from, double to) const { return radius * (to - from); }
-  /// ∫ (x − c) along the arc [m²].
-  Vec2 moment(const Vec2& c, double from, double to) const {
-    return length(from, to) * (centre - c) +
-           radius * radius * Vec2(std::sin(to) - std::sin(from), std::cos(from) - std::cos(to));
-  }
   Vec2 centroid() const { return centre; }
   double area() const { return std::numbers::pi * radius * radius; }
   bool contains(const Vec2& x) const { return (x - centre).squaredNorm() < radius * radius; }

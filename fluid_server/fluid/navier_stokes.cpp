@@ -201,10 +201,13 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
   std::vector<BodyTraction> out(interfaces.size());
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const Interface& interface = interfaces[i];
-    const Index first = system_->cut().first_multiplier[i];
+    const auto lambda =
+        current_.fields.lambda.segment(2 * system_->cut().first_multiplier[i], 2 * interface.n_arcs());
     out[i].body = interface.body;
-    for (Index a = 0; a < interface.n_arcs(); ++a)
-      out[i].lambda.push_back(current_.fields.lambda.segment<2>(2 * (first + a)));
+    for (Index a = 0; a < interface.n_arcs(); ++a) {
+      const auto [m1, m2] = interface.multipliers(a);
+      out[i].lambda.emplace_back(0.5 * (lambda.segment<2>(2 * m1) + lambda.segment<2>(2 * m2)));
+    }
     const Outline& outline = interface.outline;
     const Vec2 buoyancy = outline.area() * mean_force;
     out[i].force = resultants[i].force + buoyancy;

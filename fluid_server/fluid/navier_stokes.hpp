@@ -33,7 +33,7 @@ struct Request {
 
 struct BodyTraction {
   Index body = 0;
-  std::vector<Vec2> lambda;   ///< force density that the fluid exerts on each arc [Pa]
+  std::vector<Vec2> lambda;   ///< force density of the fluid [Pa]: mean of each arc, value at its middle
   Vec2 force = Vec2::Zero();  ///< with the buoyancy and the fall of the mean pressure [N/m]
   double torque = 0;          ///< about the centre [N]
   double arc_length = 0;      ///< wanted next [m]

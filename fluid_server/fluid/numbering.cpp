@@ -70,12 +70,13 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
   }
   out.pinned = pinned_vertices(mesh, boundary, cut, outlines(cut.images));
   for (Index v : out.pinned) out.pressure[v] = absent;
-  for (std::size_t i = 0; i < interfaces.size(); ++i)
-    for (Index a = 0; a < interfaces[i].n_arcs(); ++a) {
-      const Index m = cut.first_multiplier[i] + a;
-      if (cut.active_length[m] > 0.05 * interfaces[i].length(a))
-        out.multiplier[2 * m] = out.multiplier[2 * m + 1] = wanted;
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    Index m = cut.first_multiplier[i];
+    for (const double length : interfaces[i].multiplier_lengths()) {
+      if (cut.active_length[m] > 0.05 * length) out.multiplier[2 * m] = out.multiplier[2 * m + 1] = wanted;
+      ++m;
     }
+  }
 
   // Cell by cell, so that what an element couples lies close together in the matrix.
   std::vector<std::uint8_t> is_numbered(mesh.n_nodes(), 0);

@@ -13,7 +13,7 @@ namespace fpi::fluid {
 struct Numbering {
   std::vector<Index> velocity;  ///< equation of 2·node + component, or −1. At a slip node: normal, tangential
   std::vector<Index> pressure;    ///< equation of each vertex, or −1
-  std::vector<Index> multiplier;  ///< equation of 2·arc + component, or −1
+  std::vector<Index> multiplier;  ///< equation of 2·multiplier + component, or −1
   std::vector<Index> pinned;      ///< vertices whose pressure is set to 0
   std::vector<std::uint8_t> node_is_active;
   Index n_equations = 0;

@@ -2,6 +2,7 @@
 /// What cuts the mesh, carries multipliers or moves nodes asks an outline and does not know which it is.
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <variant>
 #include <vector>
@@ -36,10 +37,6 @@ class Outline {
   /// [m] of a stretch that turns no corner.
   double length(double from, double to) const {
     return visit([=](const auto& s) { return s.length(from, to); });
-  }
-  /// ∫ (x − c) along such a stretch [m²].
-  Vec2 moment(const Vec2& c, double from, double to) const {
-    return visit([&](const auto& s) { return s.moment(c, from, to); });
   }
   double area() const {
     return visit([](const auto& s) { return s.area(); });
@@ -76,6 +73,7 @@ class Outline {
   Vec2 beside(double parameter) const;
   /// Number of corners; they are at the parameters 0, 1, 2, …
   int n_corners() const { return polygon() ? polygon()->size() : 0; }
+  bool is_corner(double parameter) const { return polygon() && parameter == std::floor(parameter); }
   /// Appends the parameters at which a segment, or another outline, meets this one. For the same segment they
   /// are the same to the bit, whichever element asks.
   void add_crossings(const Vec2& a, const Vec2& b, std::vector<double>& parameters) const;

@@ -32,10 +32,6 @@ double Polygon::length(double from, double to) const {
   return (to - from) * (end - start).norm();
 }
 
-Vec2 Polygon::moment(const Vec2& c, double from, double to) const {
-  return length(from, to) * (at(0.5 * (from + to)) - c);
-}
-
 double Polygon::area() const {
   double twice = 0;
   for (int k = 0; k < size(); ++k) twice += cross(side(k).from - corners[0], side(k).to - corners[0]);

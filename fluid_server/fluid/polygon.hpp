@@ -25,8 +25,6 @@ struct Polygon {
   /// Unit normal out of the body.
   Vec2 normal(double parameter) const;
   double length(double from, double to) const;  ///< [m] of a stretch of one side
-  /// ∫ (x − c) along a stretch of one side [m²].
-  Vec2 moment(const Vec2& c, double from, double to) const;
   double area() const;
   Vec2 centroid() const;
   bool contains(const Vec2& x) const;

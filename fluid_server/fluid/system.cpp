@@ -37,13 +37,13 @@ const BlockMask& ghost_pressure_mask() {
   static const BlockMask mask = BlockMask::dense(4);
   return mask;
 }
-/// λx, λy, then ux of six nodes, then uy.
+/// λx, λy of both ends of an arc, then ux of six nodes, then uy.
 const BlockMask& arc_mask(bool mixed) {
   static const auto make = [](bool full) {
     BlockMask m{arc, std::vector<std::uint8_t>(arc * arc, 0)};
-    for (int i = 2; i < arc; ++i)
-      for (int c = 0; c < 2; ++c)
-        if (full || (i < 8) == (c == 0)) m.coupled[i + arc * c] = m.coupled[c + arc * i] = 1;
+    for (int i = 4; i < arc; ++i)
+      for (int c = 0; c < 4; ++c)
+        if (full || (i < 10) == (c % 2 == 0)) m.coupled[i + arc * c] = m.coupled[c + arc * i] = 1;
     return m;
   };
   static const BlockMask apart = make(false), full = make(true);
@@ -141,8 +141,10 @@ void System::declare_blocks() {
   first_piece_ = matrix_.n_blocks();
   for (const ArcPiece& piece : cut_.pieces) {
     const auto nodes = space_.mesh.cell_nodes(piece.cell);
-    equations = {numbering_.multiplier[2 * piece.multiplier],
-                 numbering_.multiplier[2 * piece.multiplier + 1]};
+    equations.clear();
+    for (const Index m : piece.multipliers)
+      for (int component = 0; component < 2; ++component)
+        equations.push_back(numbering_.multiplier[2 * m + component]);
     for (int component = 0; component < 2; ++component)
       for (Index node : nodes) equations.push_back(v[2 * node + component]);
     matrix_.declare(equations, arc_mask(has_slip_node(nodes)));
@@ -157,12 +159,20 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
     const ArcPiece& piece = cut_.pieces[k];
     const Interface& interface = interfaces_[piece.interface];
     const Triangle& triangle = space_.triangles[piece.cell];
-    pieces_[k] = {Padded::Zero(), Vec2::Zero()};
+    PieceIntegrals& integrals = pieces_[k] = {};
     for (const LinePoint& point : gauss_legendre(points_on_piece)) {
       const double parameter = piece.start + point.s * (piece.end - piece.start);
       const double w = point.weight * interface.outline.length(piece.start, piece.end);
-      pieces_[k].shape += w * p2_at(triangle.barycentric(interface.outline.at(parameter) + piece.shift));
-      pieces_[k].velocity += w * interface.velocity(piece.arc, parameter);
+      const Vec2 x = interface.outline.at(parameter);
+      const Padded n = p2_at(triangle.barycentric(x + piece.shift));
+      const auto hats = interface.hats(piece.arc, parameter);
+      for (int end = 0; end < 2; ++end) {
+        const double weight = w * hats[end];
+        integrals.shape[end] += weight * n;
+        integrals.velocity[end] += weight * interface.velocity(piece.arc, parameter);
+        integrals.arm[end] += weight * (x - interface.rigid.centre);
+        integrals.length[end] += weight;
+      }
     }
   }
 }
@@ -258,12 +268,13 @@ std::string System::largest_residual(const Vector& gathered) const {
 
 std::vector<System::Resultant> System::resultants(const Vector& lambda) const {
   std::vector<Resultant> out(interfaces_.size());
-  for (const ArcPiece& piece : cut_.pieces) {
-    const Interface& interface = interfaces_[piece.interface];
-    const Vec2 value = lambda.segment<2>(2 * piece.multiplier);
-    out[piece.interface].force += interface.outline.length(piece.start, piece.end) * value;
-    out[piece.interface].torque +=
-        cross(interface.outline.moment(interface.rigid.centre, piece.start, piece.end), value);
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    Resultant& resultant = out[cut_.pieces[k].interface];
+    for (int end = 0; end < 2; ++end) {
+      const Vec2 value = lambda.segment<2>(2 * cut_.pieces[k].multipliers[end]);
+      resultant.force += pieces_[k].length[end] * value;
+      resultant.torque += cross(pieces_[k].arm[end], value);
+    }
   }
   return out;
 }

@@ -22,7 +22,7 @@ namespace fpi::fluid {
 struct Fields {
   Vector u;       ///< x, y of each node [m/s]
   Vector p;       ///< of each vertex [Pa], without the hydrostatic part
-  Vector lambda;  ///< x, y of each arc [Pa]
+  Vector lambda;  ///< x, y of each multiplier [Pa]
 };
 
 /// The acceleration as a function of the velocity: a = inertia · u − history (paper, eq. 10). Where nodes
@@ -45,15 +45,16 @@ struct TimeTerms {
   Vector acceleration(const Vector& u) const { return inertia * u - history; }
 };
 
-/// Residual before constraints: what each node, vertex and arc would have to balance [N/m, m²/s, m²/s].
+/// Residual before constraints: what each node, vertex and multiplier would have to balance [N/m, m²/s,
+/// m²/s].
 struct Residual {
   Vector u, p, lambda;
 };
 
-/// Unknowns of the blocks: (ux, uy of 6 nodes, p of 3 vertices); (ux, uy of 9 nodes); (λ, then ux, uy of 6
-/// nodes).
+/// Unknowns of the blocks: (ux, uy of 6 nodes, p of 3 vertices); (ux, uy of 9 nodes); (λ of both ends of an
+/// arc, then ux, uy of 6 nodes).
 namespace block_size {
-inline constexpr int cell = element_unknowns, ghost = 18, arc = 14;
+inline constexpr int cell = element_unknowns, ghost = 18, arc = 16;
 }
 
 class System {
@@ -128,10 +129,12 @@ class System {
   bool has_slip_node(std::span<const Index> nodes) const;
   void rotate_slip(std::span<const Index> nodes, int first_x, int first_y, int n, double* dense) const;
 
-  /// ∫ N_i over one arc piece, and ∫ u of the body over it.
+  /// Over one arc piece, with each of its two multipliers' functions φ.
   struct PieceIntegrals {
-    Padded shape;
-    Vec2 velocity;
+    std::array<Padded, 2> shape{Padded::Zero(), Padded::Zero()};  ///< ∫ φ N_i
+    std::array<Vec2, 2> velocity{Vec2::Zero(), Vec2::Zero()};     ///< ∫ φ u of the body
+    std::array<Vec2, 2> arm{Vec2::Zero(), Vec2::Zero()};          ///< ∫ φ (x − c)
+    std::array<double, 2> length{};                               ///< ∫ φ
   };
 
   const Space& space_;
