@@ -31,6 +31,11 @@ class Boundary {
   void add_tractions(double t, std::span<const Outline> bodies, Vector& load) const;
   bool traction_depends_on_time() const;
 
+  /// Through the sides that are not open [m²/s]: ∫u·n, ∫|u·n| and ∫|u|.
+  struct Flux {
+    double net = 0, gross = 0, reach = 0;
+  };
+  Flux flux(const Vector& u) const;
   /// Throws Error where fluid flows in or out (more than 1 % net) although no part is open: nowhere for it to
   /// go.
   void check_net_flux(double t, const Vector& u) const;

@@ -76,19 +76,20 @@ std::vector<Interval> stretches(const Mesh& mesh, Index cell, const Outline& out
 }
 
 /// Cuts a stretch at the ends of the arcs and appends the pieces.
-void add_pieces(const Interface& interface, const Image& image, Index first_multiplier, Index cell,
-                const Interval& stretch, std::vector<ArcPiece>& pieces) {
+void add_pieces(const Interface& interface, const Image& image, Index cell, const Interval& stretch,
+                CutMesh& out) {
   const double period = interface.outline.period();
   for (Index a = 0; a < interface.n_arcs(); ++a) {
-    const auto [m1, m2] = interface.multipliers(a);
-    const std::array<Index, 2> multipliers{first_multiplier + m1, first_multiplier + m2};
+    const auto [left, right] = out.knots[image.interface].values(a);
+    const Index first = out.first_multiplier[image.interface];
     const double arc_start = interface.start[a], arc_end = interface.end[a];
     const double first_turn = std::floor((arc_start - stretch.end) / period);
     for (double turn = first_turn; stretch.start + turn * period < arc_end; ++turn) {
       const double start = std::max(stretch.start + turn * period, arc_start);
       const double end = std::min(stretch.end + turn * period, arc_end);
       if (end - start > shortest)
-        pieces.push_back({cell, image.interface, a, multipliers, start, end, image.shift});
+        out.pieces.push_back(
+            {cell, image.interface, a, {first + left, first + right}, start, end, image.shift});
     }
   }
 }
@@ -105,9 +106,8 @@ void cut_cell(const Mesh& mesh, Index cell, std::span<const std::pair<Index, Ind
     std::vector<const Outline*> others = here;
     others.erase(others.begin() + own);
     const Image& image = out.images[cuts[own].second];
-    const Index i = image.interface;
     for (const Interval& stretch : stretches(mesh, cell, *here[own], others))
-      add_pieces(interfaces[i], image, out.first_multiplier[i], cell, stretch, out.pieces);
+      add_pieces(interfaces[image.interface], image, cell, stretch, out);
   }
   CutCell cut{cell, element_points(mesh.corners(cell), here), metric_of(Triangle(mesh.corners(cell)))};
   cut.metric.area = 1;
@@ -168,8 +168,13 @@ CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Inter
   out.images = images(mesh.period, interfaces);
   out.state.assign(mesh.n_cells(), CellState::fluid);
   out.first_multiplier.push_back(0);
-  for (const Interface& interface : interfaces)
-    out.first_multiplier.push_back(out.first_multiplier.back() + interface.n_arcs());
+  for (const Interface& interface : interfaces) {
+    out.knots.emplace_back(interface, [&](const Vec2& x) {
+      const auto place = locator.find(x);
+      return place ? mesh.size(place->cell) : 0;
+    });
+    out.first_multiplier.push_back(out.first_multiplier.back() + out.knots.back().size());
+  }
   const auto cuts = classify(mesh, locator, out.images, out.state);
   for (auto it = cuts.begin(); it != cuts.end();) {
     const Index cell = it->first;
@@ -180,7 +185,7 @@ CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Inter
   out.active_length.assign(out.n_multipliers(), 0);
   for (const ArcPiece& piece : out.pieces) {
     const Interface& interface = interfaces[piece.interface];
-    const auto hats = interface.hats(piece.arc, 0.5 * (piece.start + piece.end));
+    const auto hats = out.knots[piece.interface].hats(piece.arc, 0.5 * (piece.start + piece.end));
     for (int k = 0; k < 2; ++k)
       out.active_length[piece.multipliers[k]] += hats[k] * interface.outline.length(piece.start, piece.end);
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fluid/element.hpp"
-#include "fluid/interface.hpp"
+#include "fluid/knots.hpp"
 #include "fluid/locator.hpp"
 #include "fluid/mesh.hpp"
 
@@ -53,6 +53,7 @@ struct CutMesh {
   std::vector<ArcPiece> pieces;
   std::vector<Index> ghost_edges;       ///< between two active cells of which one is cut
   std::vector<CoveredNode> covered;     ///< nodes inside a body
+  std::vector<Knots> knots;             ///< of each interface
   std::vector<Index> first_multiplier;  ///< of each interface; one more entry at the end
   std::vector<double> active_length;    ///< ∫ of each multiplier's function in the fluid [m]
 

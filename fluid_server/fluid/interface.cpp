@@ -102,25 +102,6 @@ Vec2 Interface::velocity(Index arc, double parameter) const {
   return value;
 }
 
-std::array<Index, 2> Interface::multipliers(Index arc) const {
-  const Index next = (arc + 1) % n_arcs();
-  if (outline.is_corner(end[arc])) return {arc, arc};
-  if (outline.is_corner(start[arc])) return {next, next};
-  return {arc, next};
-}
-
-std::array<double, 2> Interface::hats(Index arc, double parameter) const {
-  const double s = (parameter - start[arc]) / (end[arc] - start[arc]);
-  return {1 - s, s};
-}
-
-std::vector<double> Interface::multiplier_lengths() const {
-  std::vector<double> out(n_arcs(), 0);
-  for (Index a = 0; a < n_arcs(); ++a)
-    for (const Index m : multipliers(a)) out[m] += 0.5 * length(a);
-  return out;
-}
-
 bool Interface::same_geometry(const Interface& other) const {
   return outline == other.outline && rigid.centre == other.rigid.centre && start == other.start &&
          end == other.end;

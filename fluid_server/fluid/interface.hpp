@@ -1,9 +1,8 @@
 /// The interface mesh of a body as the fluid sees it: arcs of its circle or edges of its polygon (an edge is
-/// an arc too, below), the multipliers they carry, and the velocity that the body has there (conventions:
-/// arcs are never split, only their quadrature is).
+/// an arc too, below), and the velocity that the body has there (conventions: arcs are never split, only
+/// their quadrature is). Which multipliers they carry is said by Knots.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -24,14 +23,6 @@ struct Interface {
   /// Velocity of the body at a parameter of an arc [m/s]: the rigid law, or the polynomial through the
   /// samples.
   Vec2 velocity(Index arc, double parameter) const;
-  /// The multiplier is a continuous function of the outline, linear along each arc between values at both
-  /// ends; numbers of those that an arc has. At a corner, where tractions are singular, it jumps, and the
-  /// edges beside it carry one constant value, twice in this list.
-  std::array<Index, 2> multipliers(Index arc) const;
-  /// Values of their two functions at a parameter of the arc; they add up to 1.
-  std::array<double, 2> hats(Index arc, double parameter) const;
-  /// Integral of each multiplier's function along the whole outline [m].
-  std::vector<double> multiplier_lengths() const;
   /// True where both have the same arcs at the same place; velocities may differ.
   bool same_geometry(const Interface& other) const;
 };

@@ -188,9 +188,14 @@ NewtonResult NavierStokes::solve_step(const Request& request) {
   space_.boundary.impose(request.time, current_.fields.u);
   space_.boundary.check_net_flux(request.time, current_.fields.u);
   for (Index v : system_->numbering().pinned) current_.fields.p[v] = 0;
-  if (request.time_step == 0 && request.sub_iteration == 0)
-    return solve_steady(*system_, flow_, settings_.fluid.newton, current_, monitor);
-  return solve(*system_, flow_, time_terms_, settings_.fluid.newton, current_, monitor);
+  const bool is_cold = request.time_step == 0 && request.sub_iteration == 0;
+  const NewtonResult result =
+      is_cold ? solve_steady(*system_, flow_, settings_.fluid.newton, current_, monitor)
+              : solve(*system_, flow_, time_terms_, settings_.fluid.newton, current_, monitor);
+  if (result.converged && request.sub_iteration == 0 && !system_->numbering().pinned.empty())
+    system_->check_closed_parts(system_->assemble(flow_, current_.fields, time_terms_, false),
+                                space_.boundary.flux(current_.fields.u).gross);
+  return result;
 }
 
 std::vector<BodyTraction> NavierStokes::tractions() const {
@@ -201,12 +206,15 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
   std::vector<BodyTraction> out(interfaces.size());
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const Interface& interface = interfaces[i];
+    const Knots& knots = system_->cut().knots[i];
     const auto lambda =
-        current_.fields.lambda.segment(2 * system_->cut().first_multiplier[i], 2 * interface.n_arcs());
+        current_.fields.lambda.segment(2 * system_->cut().first_multiplier[i], 2 * knots.size());
     out[i].body = interface.body;
     for (Index a = 0; a < interface.n_arcs(); ++a) {
-      const auto [m1, m2] = interface.multipliers(a);
-      out[i].lambda.emplace_back(0.5 * (lambda.segment<2>(2 * m1) + lambda.segment<2>(2 * m2)));
+      const auto [left, right] = knots.values(a);
+      const auto hats = knots.hats(a, 0.5 * (interface.start[a] + interface.end[a]));
+      out[i].lambda.emplace_back(hats[0] * lambda.segment<2>(2 * left) +
+                                 hats[1] * lambda.segment<2>(2 * right));
     }
     const Outline& outline = interface.outline;
     const Vec2 buoyancy = outline.area() * mean_force;

@@ -54,8 +54,7 @@ std::vector<Index> pinned_vertices(const Mesh& mesh, const Boundary& boundary, c
 
 }  // namespace
 
-Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
-                          std::span<const Interface> interfaces) {
+Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut) {
   constexpr Index absent = -1, wanted = 0;
   Numbering out;
   out.velocity.assign(2 * static_cast<std::size_t>(mesh.n_nodes()), absent);
@@ -70,9 +69,9 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
   }
   out.pinned = pinned_vertices(mesh, boundary, cut, outlines(cut.images));
   for (Index v : out.pinned) out.pressure[v] = absent;
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+  for (std::size_t i = 0; i < cut.knots.size(); ++i) {
     Index m = cut.first_multiplier[i];
-    for (const double length : interfaces[i].multiplier_lengths()) {
+    for (const double length : cut.knots[i].lengths()) {
       if (cut.active_length[m] > 0.05 * length) out.multiplier[2 * m] = out.multiplier[2 * m + 1] = wanted;
       ++m;
     }

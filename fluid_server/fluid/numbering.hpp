@@ -20,7 +20,6 @@ struct Numbering {
 };
 
 /// An arc is in the system where more than a twentieth of it lies in the fluid.
-Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
-                          std::span<const Interface> interfaces);
+Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut);
 
 }  // namespace fpi::fluid

@@ -68,7 +68,7 @@ System::System(const Space& space, const scene::Fluid& parameters, std::vector<I
     for (Index e : cut_.ghost_edges) ghosts_.push_back(ghost_face(space.mesh, e));
   }
   const ScopedTimer timer(ledger, "assembly");
-  numbering_ = number_unknowns(space.mesh, space.boundary, cut_, interfaces_);
+  numbering_ = number_unknowns(space.mesh, space.boundary, cut_);
   order_cells();
   require(numbering_.n_equations > 0,
           "a part of the mesh must be fluid; the bodies cover all of it: make them smaller");
@@ -165,7 +165,7 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
       const double w = point.weight * interface.outline.length(piece.start, piece.end);
       const Vec2 x = interface.outline.at(parameter);
       const Padded n = p2_at(triangle.barycentric(x + piece.shift));
-      const auto hats = interface.hats(piece.arc, parameter);
+      const auto hats = cut_.knots[piece.interface].hats(piece.arc, parameter);
       for (int end = 0; end < 2; ++end) {
         const double weight = w * hats[end];
         integrals.shape[end] += weight * n;
@@ -199,6 +199,19 @@ void System::set_load(double t, const BodyForce& body_force) {
       const Vec2 f = rule.weight(q) * body_force(position_at(positions, n), t);
       for (int i = 0; i < 6; ++i) load_.segment<2>(2 * nodes[i]) += n[i] * f;
     }
+  }
+}
+
+void System::check_closed_parts(const Residual& residual, double gross_flux) const {
+  double moved = gross_flux;
+  for (const PieceIntegrals& piece : pieces_) moved += (piece.velocity[0] + piece.velocity[1]).norm();
+  for (const Index v : numbering_.pinned) {
+    const Vec2 x = space_.mesh.vertices[v];
+    require(
+        std::abs(residual.p[v]) <= 0.05 * moved,
+        "where no open boundary is reached, as much fluid must enter as leaves; around ({:.4g}, {:.4g}) m a "
+        "net {:.4g} m²/s {}: leave a way to an open boundary, or balance the velocities",
+        x.x(), x.y(), std::abs(residual.p[v]), residual.p[v] < 0 ? "leaves" : "enters");
   }
 }
 

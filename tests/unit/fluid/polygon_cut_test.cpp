@@ -65,8 +65,8 @@ void expect_exact(const Square& square, const Shape& shape, const std::string& w
               4.0 / 3 - second_moment(shape), 1e-12)
       << what;
   EXPECT_NEAR(arc_length(cut), perimeter(shape), 1e-12) << what;
-  const auto lengths = bodies[0].multiplier_lengths();
-  for (Index a = 0; a < bodies[0].n_arcs(); ++a)
+  const auto& lengths = cut.knots[0].lengths();
+  for (Index a = 0; a < cut.n_multipliers(); ++a)
     EXPECT_NEAR(cut.active_length[a], lengths[a], 1e-12) << what << ", multiplier " << a;
 }
 
