@@ -194,7 +194,7 @@ NewtonResult NavierStokes::solve_step(const Request& request) {
               : solve(*system_, flow_, time_terms_, settings_.fluid.newton, current_, monitor);
   if (result.converged && request.sub_iteration == 0 && !system_->numbering().pinned.empty())
     system_->check_closed_parts(system_->assemble(flow_, current_.fields, time_terms_, false),
-                                space_.boundary.flux(current_.fields.u).gross);
+                                current_.fields.u);
   return result;
 }
 

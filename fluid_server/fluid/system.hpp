@@ -78,10 +78,10 @@ class System {
   /// Residual of eq. (20); fills the matrix with its Jacobian too where `with_jacobian`.
   Residual assemble(const Flow& flow, const Fields& fields, const TimeTerms& time, bool with_jacobian);
 
-  /// Throws Error where a part of the fluid that no open boundary reaches would gain or lose volume. Of its
-  /// continuity equations that of the pinned pressure is left out, and its residual is what is missing; a
-  /// twentieth of what moves, `gross_flux` through boundaries [m²/s] and what bodies push, is too much.
-  void check_closed_parts(const Residual& residual, double gross_flux) const;
+  /// Throws Error where a part of the fluid that no open boundary reaches gains or loses volume in the flow u
+  /// [m/s]: the continuity equation that its pinned pressure leaves out has a residual beyond a twentieth of
+  /// what boundaries let through and bodies push.
+  void check_closed_parts(const Residual& residual, const Vector& u) const;
 
   /// Residual of the unknowns in the system.
   Vector gather(const Residual& residual) const;
