@@ -70,6 +70,7 @@ void Simulation::configure(const MeshFile& mesh, const StatesByRole& states) {
                                                                          .state = state_of(states, "fluid")});
     log_notes("fluid", configured);
     take_arc_lengths(configured.arc_lengths);
+    if (configured.resolved_gap_ratio > 0) resolved_gap_ratio_ = configured.resolved_gap_ratio;
   }
   if (participants_.dem) {
     log_notes("dem", participants_.dem->configure({.scene = scene::part_for(scene::Part::dem, scene_),
@@ -185,7 +186,8 @@ void Simulation::take_tractions(std::vector<proto::Traction> tractions) {
 
 /// "" or why the DEM did not converge.
 std::string Simulation::advance_dem(const proto::Stamp& stamp) {
-  proto::DemAdvance message{.time = end_, .time_step = time_step_, .loads = {}, .prescribed = {}};
+  proto::DemAdvance message{
+      .time = end_, .time_step = time_step_, .loads = {}, .prescribed = {}, .resolved_gaps = {}};
   for (std::uint32_t i = 0; i < placed_.size(); ++i) {
     if (prescribed_[i]) {
       message.prescribed.push_back(to_wire(i, placed_[i]));
@@ -193,6 +195,8 @@ std::string Simulation::advance_dem(const proto::Stamp& stamp) {
       message.loads.push_back(to_wire(attempted_.arcs[i], attempted_.tractions[i]));
     }
   }
+  if (participants_.fluid)
+    for (const double length : arc_lengths_) message.resolved_gaps.push_back(resolved_gap_ratio_ * length);
   const proto::DemAdvanced answer = participants_.dem->advance(stamp, message);
   report_.largest_overlap = answer.largest_overlap;
   if (!answer.converged) return "the DEM did not converge: " + answer.reason;

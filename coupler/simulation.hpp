@@ -96,6 +96,7 @@ class Simulation {
   std::vector<std::optional<coupling::PrescribedMotion>> prescribed_;  ///< of bodies that are not free
   std::vector<double> arc_lengths_;                                    ///< [m] wanted, one a body
   std::vector<bool> told_of_coarse_mesh_;                              ///< one a body
+  double resolved_gap_ratio_ = 1;  ///< narrowest gap that the fluid resolves, of the arc length
 
   std::uint64_t steps_ = 0;
   CoupledState accepted_, attempted_;

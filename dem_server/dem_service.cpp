@@ -14,6 +14,7 @@ proto::Vec3 to_wire(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Problem make_problem(const scene::Scene& scene) {
   return {.gravity = to_eigen(scene::to_vec3(scene.gravity)),
           .thickness = scene.thickness,
+          .hydraulic_radius_ratio = scene.hydraulic_radius_ratio,
           .dem = scene.dem.value_or(scene::Dem{}),
           .bodies = scene.bodies,
           .materials = scene.materials,
@@ -73,8 +74,8 @@ proto::Configured DemService::configure(const proto::Configure& message) {
 proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdvance& message) {
   const ScopedTimer timer(ledger_, "dem");
   progress.set("contacts");
-  const Advanced outcome =
-      solver().advance(message.time_step, read_loads(message.loads), read_prescribed(message.prescribed));
+  const Advanced outcome = solver().advance(message.time_step, read_loads(message.loads),
+                                            read_prescribed(message.prescribed), message.resolved_gaps);
   ledger_.counts["sub_steps"] += static_cast<double>(outcome.sub_steps);
   ledger_.counts["neighbour_searches"] += static_cast<double>(outcome.searches);
   return {.converged = outcome.converged,

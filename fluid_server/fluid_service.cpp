@@ -85,7 +85,9 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
     solver_->set_state(from_bytes(message.state, mesh.n_nodes(), mesh.n_vertices()));
   require_in_mesh(scene_, *solver_);
 
-  proto::Configured out{.notes = solver_->notes()};
+  // A gap of one element is resolved, whatever the arcs' length beside it.
+  proto::Configured out{.resolved_gap_ratio = 1 / scene_.fluid->embedding.arc_ratio,
+                        .notes = solver_->notes()};
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const scene::Body& body = scene_.bodies[b];
     const double length = solver_->arc_length(outline(body, scene_.hydraulic_radius_ratio));
@@ -93,7 +95,6 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
             "the body \"{}\" must lie in the mesh; its outline around ({:g}, {:g}) m meets no element",
             body.name, body.position[0], body.position[1]);
     out.arc_lengths.push_back({static_cast<std::uint32_t>(b), length});
-    out.resolved_gap = std::max(out.resolved_gap, length / scene_.fluid->embedding.arc_ratio);
   }
   out.figures = {{"cells", mesh.n_cells()}, {"nodes", mesh.n_nodes()}};
   return out;

@@ -61,7 +61,8 @@ struct ArcLength {
 };
 struct Configured {
   std::vector<ArcLength> arc_lengths{};  ///< fluid: one for every body
-  double resolved_gap = 0;               ///< [m] fluid: below it lubrication is not resolved; 0: not said
+  double resolved_gap_ratio = 0;         ///< fluid: gaps below this part of a body's arc length it does not
+                                         ///< resolve; 0: not said
   std::vector<std::string> notes{};      ///< what is skipped, and why; for the log
   Figures figures{};                     ///< e.g. unknowns
 };
@@ -129,6 +130,8 @@ struct DemAdvance {
   double time_step = 0;              ///< [s]
   std::vector<Load> loads{};         ///< held over the step
   std::vector<Motion> prescribed{};  ///< at the end of the step, for every body that is not free
+  std::vector<double>
+      resolved_gaps{};  ///< [m] of every body: narrower gaps the fluid does not resolve; empty: no fluid
 };
 struct DemAdvanced {
   bool converged = false;

@@ -1,6 +1,7 @@
 /// [dem], [[materials]] and [[walls]]: the grains' contacts.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,11 +45,27 @@ struct Wall {
   }
 };
 
+/// [dem.lubrication]: liquid films in gaps narrower than the fluid's mesh resolves.
+struct Lubrication {
+  std::optional<double> viscosity;  ///< μ [Pa s]; none: that of [fluid], and no films where there is none
+  double roughness = 1e-3;          ///< of the smaller radius
+
+  void declare(ParameterVisitor& v) {
+    v.real({"viscosity", "Pa s",
+            "viscosity of the liquid between the grains; 0: no films; else the fluid's, and no films without "
+            "one"},
+           viscosity, not_negative());
+    v.real({"roughness", "", "gap below which a film resists no more, over the smaller radius"}, roughness,
+           above_up_to(0, 1));
+  }
+};
+
 /// [dem]
 struct Dem {
   Launch launch;
   double steps_per_contact = 50;  ///< t_c over the sub-step while something touches
   double largest_sub_step = 0;    ///< [s]; 0: the coupling step
+  Lubrication lubrication;
 
   void declare(ParameterVisitor& v) {
     launch.declare(v);
@@ -57,6 +74,8 @@ struct Dem {
         steps_per_contact, between(10, 1e6));
     v.real({"largest_sub_step", "s", "upper limit of the sub-step in free flight; 0: the coupling step"},
            largest_sub_step, not_negative());
+    v.table({"lubrication", "", "what narrow gaps resist with beyond what the fluid's mesh resolves"},
+            lubrication);
   }
 };
 

@@ -59,6 +59,11 @@ std::string part_for(Part part, const Scene& scene) {
     p.dem.reset();
     p.walls.clear();
   } else {
+    if (p.fluid) {
+      if (!p.dem) p.dem.emplace();
+      auto& viscosity = p.dem->lubrication.viscosity;
+      viscosity = viscosity.value_or(p.fluid->viscosity());
+    }
     p.fluid.reset();
     p.time.relative_tolerance = 0;
     p.coefficients.clear();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/films.hpp"
+
 namespace fpi::dem {
 namespace {
 
@@ -13,24 +15,28 @@ constexpr double most_sub_steps = 1e8;  ///< in one step of the coupling, flight
 
 class Integration {
  public:
-  Integration(const Model& model, const Forces& loads, State& state)
+  Integration(const Model& model, const Forces& loads, std::span<const double> resolved_gaps, State& state)
       : model_(model),
         loads_(loads),
         motions_(state.motions),
         neighbours_(state.neighbours),
+        films_(model, resolved_gaps),
         forces_(loads),
         velocity_now_(motions_.velocity),
         spin_now_(motions_.spin) {
-    if (neighbours_.origin.empty()) search_neighbours();
+    if (neighbours_.origin.empty() || neighbours_.reach < films_.reach()) search_neighbours();
   }
 
   Advanced run(double duration) {
     for (left_ = duration; left_ > 0 && outcome_.converged;) {
       const Outlook ahead = look_ahead(model_, motions_, loads_, neighbours_, left_);
-      if (std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step) {
-        fly(ahead);
+      const double film_step = films_.longest_step(motions_, loads_, neighbours_);
+      films_.place(motions_.position, neighbours_);
+      const bool flies = std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step;
+      if (flies && films_.empty()) {
+        fly(ahead, film_step);
       } else {
-        take_sub_steps(ahead.contact_step);
+        take_sub_steps(std::min(film_step, flies ? ahead.free_time : ahead.contact_step));
       }
       check_finite();
     }
@@ -39,12 +45,12 @@ class Integration {
   }
 
  private:
-  /// One step through free space, as far as nothing can touch and the search for neighbours holds. It ends a
-  /// sub-step before the surfaces meet, so that the contact starts among sub-steps.
-  void fly(const Outlook& ahead) {
+  /// One step through free space, as far as nothing can touch, no film begins and the search for neighbours
+  /// holds. It ends a sub-step before the surfaces meet, so that the contact starts among sub-steps.
+  void fly(const Outlook& ahead, double film_step) {
     const double before_contact =
         std::isinf(ahead.free_time) ? ahead.free_time : ahead.free_time - ahead.contact_step;
-    const double wanted = std::min({left_, before_contact, model_.largest_sub_step});
+    const double wanted = std::min({left_, before_contact, film_step, model_.largest_sub_step});
     const double within_skin = time_within_skin(model_, motions_, loads_, neighbours_);
     if (within_skin < wanted && neighbours_.origin != motions_.position) return search_neighbours();
     const double duration = std::min(wanted, within_skin);
@@ -59,15 +65,17 @@ class Integration {
     outcome_.contacts = 0;
   }
 
-  /// About one contact time of sub-steps, or what is left; ends early where a search finds new neighbours.
-  void take_sub_steps(double contact_step) {
+  /// About one contact time of sub-steps, or what is left; ends early where a search finds new neighbours,
+  /// and after each sub-step where there are films, whose step follows the gap.
+  void take_sub_steps(double sub_step_wanted) {
     // Steps that keep their length keep the integrator symplectic: a hundredth is not worth another one.
-    const double longest = std::min(contact_step, model_.largest_sub_step);
+    const double longest = std::min(sub_step_wanted, model_.largest_sub_step);
     const double wanted = std::max(1.0, std::ceil(left_ / longest - 0.01));
     if (!is_affordable(wanted)) return;
     const double dt = left_ / wanted;
+    films_.prepare(0.5 * dt);
     if (!forces_stand_) find_forces_at_start(dt);
-    const double batch = std::min(wanted, std::ceil(model_.steps_per_contact));
+    const double batch = films_.empty() ? std::min(wanted, std::ceil(model_.steps_per_contact)) : 1;
     const std::uint64_t searches = outcome_.searches;
     double taken = 0;
     while (taken < batch && outcome_.converged && outcome_.searches == searches) {
@@ -79,11 +87,16 @@ class Integration {
 
   void sub_step(double dt) {
     kick(0.5 * dt);
+    films_.damp(motions_.velocity, motions_.spin);
     drift(dt);
     if (moved_beyond_skin()) search_neighbours();
+    films_.place(motions_.position, neighbours_);
+    films_.prepare(0.5 * dt);
     extrapolate(0.5 * dt);
+    films_.damp(velocity_now_, spin_now_);
     find_forces(dt, dt);
     kick(0.5 * dt);
+    films_.damp(motions_.velocity, motions_.spin);
     ++outcome_.sub_steps;
   }
 
@@ -153,7 +166,7 @@ class Integration {
   void search_neighbours() {
     check_finite();
     if (!outcome_.converged) return;
-    search(model_, motions_.position, neighbours_);
+    search(model_, motions_.position, films_.reach(), neighbours_);
     ++outcome_.searches;
   }
 
@@ -178,6 +191,7 @@ class Integration {
   const Forces& loads_;
   Motions& motions_;
   Neighbours& neighbours_;
+  Films films_;
   Forces forces_;
   std::vector<Vec3> velocity_now_, spin_now_;
   bool forces_stand_ = false;  ///< forces_ are those of the current motions
@@ -187,8 +201,9 @@ class Integration {
 
 }  // namespace
 
-Advanced integrate(const Model& model, const Forces& loads, double duration, State& state) {
-  return Integration(model, loads, state).run(duration);
+Advanced integrate(const Model& model, const Forces& loads, std::span<const double> resolved_gaps,
+                   double duration, State& state) {
+  return Integration(model, loads, resolved_gaps, state).run(duration);
 }
 
 }  // namespace fpi::dem

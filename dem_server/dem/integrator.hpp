@@ -1,8 +1,10 @@
 /// Advances a state in time by velocity Verlet (symplectic, order 2): a constant force gives v + aΔt and
-/// x + vΔt + ½aΔt². Flights and sub-steps follow each other as the outlook demands.
+/// x + vΔt + ½aΔt². Films of liquid, which may be stiff, take their half of each half kick implicitly.
+/// Flights and sub-steps follow each other as the outlook demands.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "dem/state.hpp"
@@ -21,7 +23,9 @@ struct Advanced {
 };
 
 /// Advances `state` by `duration` [s] under `loads`, the constant part of the forces (weight, fluid). Bodies
-/// that are not free keep their velocities and spins. A pure function of its arguments, bitwise.
-Advanced integrate(const Model& model, const Forces& loads, double duration, State& state);
+/// that are not free keep their velocities and spins; `resolved_gaps` as of Films. A pure function of its
+/// arguments, bitwise.
+Advanced integrate(const Model& model, const Forces& loads, std::span<const double> resolved_gaps,
+                   double duration, State& state);
 
 }  // namespace fpi::dem

@@ -90,6 +90,9 @@ Model make_model(const Problem& problem) {
   }
   for (const auto& wall : problem.walls) model.walls.push_back(make_wall(problem, wall));
   model.laws = LawTable(problem.materials);
+  const scene::Lubrication& lubrication = problem.dem.lubrication;
+  model.lubricant = {lubrication.viscosity.value_or(0) * (model.plane ? problem.thickness : 1),
+                     lubrication.roughness, problem.hydraulic_radius_ratio};
   return model;
 }
 

@@ -17,6 +17,7 @@ namespace fpi::dem {
 struct Problem {
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
   double thickness = 1;         ///< of a plane scene [m]
+  double hydraulic_radius_ratio = 1;
   scene::Dem dem;
   std::vector<scene::Body> bodies;
   std::vector<scene::Material> materials;
@@ -51,6 +52,13 @@ struct Motions {
   std::vector<Orientation> orientation;
 };
 
+/// The liquid in narrow gaps.
+struct Lubricant {
+  double viscosity = 0;     ///< μ [Pa s], of discs times the thickness [Pa s m]; 0: there are no films
+  double roughness = 0;     ///< of the smaller radius: no gap counts as narrower
+  double radius_ratio = 1;  ///< radius that the liquid sees over the contact radius
+};
+
 struct Model {
   bool plane = false;           ///< discs: they move in x, y and spin about z
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
@@ -59,6 +67,7 @@ struct Model {
   Bodies bodies;
   std::vector<Plane> walls;
   LawTable laws{{}};
+  Lubricant lubricant;
 };
 
 /// Throws Error naming the body, wall or material at fault: names twice, an unknown material, a free body

@@ -81,17 +81,17 @@ double choose_skin(const Bodies& bodies) {
   return skin_over_radius * sum / static_cast<double>(bodies.size());
 }
 
-std::vector<Pair> near_pairs(const Model& model, const std::vector<Vec3>& position, double skin) {
+std::vector<Pair> near_pairs(const Model& model, const std::vector<Vec3>& position, double widest_gap) {
   const Bodies& bodies = model.bodies;
   const auto n = static_cast<std::uint32_t>(bodies.size());
   const double largest = *std::ranges::max_element(bodies.radius);
-  const Grid grid(position, 2 * largest + skin);
+  const Grid grid(position, 2 * largest + widest_gap);
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < n; ++i) {
     const auto add_if_near = [&](std::uint32_t j) {
       const Pair pair{i, j};
       const bool moves = bodies.is_free(i) || (j < n && bodies.is_free(j));
-      if (moves && separation(model, position, pair).gap <= skin) pairs.push_back(pair);
+      if (moves && separation(model, position, pair).gap <= widest_gap) pairs.push_back(pair);
     };
     const std::size_t first = pairs.size();
     grid.around(position[i], [&](std::uint32_t j) {
@@ -107,9 +107,10 @@ std::vector<Pair> near_pairs(const Model& model, const std::vector<Vec3>& positi
 
 bool lists_every_pair(const Bodies& bodies) { return bodies.size() <= few; }
 
-void search(const Model& model, const std::vector<Vec3>& position, Neighbours& neighbours) {
+void search(const Model& model, const std::vector<Vec3>& position, double reach, Neighbours& neighbours) {
   neighbours.skin = choose_skin(model.bodies);
-  std::vector<Pair> pairs = near_pairs(model, position, neighbours.skin);
+  neighbours.reach = reach;
+  std::vector<Pair> pairs = near_pairs(model, position, reach + neighbours.skin);
   std::vector<Memory> memories(pairs.size());
   std::size_t old = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) {

@@ -28,10 +28,12 @@ struct Neighbours {
   std::vector<Memory> memories;  ///< of each pair
   std::vector<Vec3> origin;      ///< [m] where the bodies were at the search; empty: a search is due
   double skin = 0;               ///< [m]; infinite where every pair is listed
+  double reach = 0;              ///< [m] gap at which pairs begin to act on each other
 };
 
-/// Lists every pair with a free body whose gap is at most the skin; memories stay with their pairs.
-void search(const Model& model, const std::vector<Vec3>& position, Neighbours& neighbours);
+/// Lists every pair with a free body whose gap is at most the skin beyond the reach; memories stay with their
+/// pairs.
+void search(const Model& model, const std::vector<Vec3>& position, double reach, Neighbours& neighbours);
 
 /// True where there are so few bodies that every pair is listed once and for all.
 bool lists_every_pair(const Bodies& bodies);

@@ -23,22 +23,31 @@ void check_body(const Model& model, std::uint32_t body, const char* what) {
           model.bodies.size(), body);
 }
 
+void check_resolved_gaps(const Model& model, std::span<const double> gaps) {
+  require(gaps.empty() || gaps.size() == model.bodies.size(),
+          "a resolved gap for each of {} bodies is required; got {}", model.bodies.size(), gaps.size());
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    require(std::isfinite(gaps[i]) && gaps[i] > 0, "the resolved gap of body {} must be > 0 m; got {}",
+            model.bodies.name[i], gaps[i]);
+}
+
 }  // namespace
 
 Solver::Solver(const Problem& problem) : model_(make_model(problem)) {
   accepted_.motions = initial_motions(problem);
-  search(model_, accepted_.motions.position, accepted_.neighbours);
+  search(model_, accepted_.motions.position, 0, accepted_.neighbours);
   check_overlaps(model_, accepted_);
   restore();
 }
 
 Advanced Solver::advance(double time_step, std::span<const Load> loads,
-                         std::span<const Prescribed> prescribed) {
+                         std::span<const Prescribed> prescribed, std::span<const double> resolved_gaps) {
   require(std::isfinite(time_step) && time_step > 0, "a time_step > 0 s is required; got {}", time_step);
+  check_resolved_gaps(model_, resolved_gaps);
   restore();
   set_loads(loads);
   start_prescribed(prescribed, time_step);
-  const Advanced outcome = integrate(model_, loads_, time_step, trial_);
+  const Advanced outcome = integrate(model_, loads_, resolved_gaps, time_step, trial_);
   finish_prescribed(prescribed);
   return outcome;
 }

@@ -33,9 +33,10 @@ class Solver {
   explicit Solver(const Problem& problem);
 
   /// Throws Error for a step that is not > 0 s, a body that does not exist, or numbers that are not finite. A
-  /// body that is not free and not among `prescribed` stays where it is.
-  Advanced advance(double time_step, std::span<const Load> loads,
-                   std::span<const Prescribed> prescribed = {});
+  /// body that is not free and not among `prescribed` stays where it is. `resolved_gaps` [m], one a body:
+  /// narrower ones the fluid does not resolve; empty where there is no fluid.
+  Advanced advance(double time_step, std::span<const Load> loads, std::span<const Prescribed> prescribed = {},
+                   std::span<const double> resolved_gaps = {});
   void accept() { accepted_ = trial_; }
   void restore() { trial_ = accepted_; }
 

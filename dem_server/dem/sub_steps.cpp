@@ -14,12 +14,6 @@ Vec3 relative(const std::vector<Vec3>& v, const Pair& pair) {
   return pair.b < v.size() ? Vec3(v[pair.a] - v[pair.b]) : v[pair.a];
 }
 
-Vec3 relative_acceleration(const Model& model, const Forces& loads, const Pair& pair) {
-  const auto& w = model.bodies.inverse_mass;
-  const Vec3 a = w[pair.a] * loads.force[pair.a];
-  return pair.b < model.bodies.size() ? Vec3(a - w[pair.b] * loads.force[pair.b]) : a;
-}
-
 /// Sub-step of a pair that meets with `speed` [m/s]; damping above ζ = 1 is stiffer than the spring.
 double contact_step(const Model& model, const Pair& pair, Normal state, double speed) {
   const PairLaw& law = law_of(model, pair);
@@ -29,6 +23,12 @@ double contact_step(const Model& model, const Pair& pair, Normal state, double s
 }
 
 }  // namespace
+
+Vec3 relative_acceleration(const Model& model, const Forces& loads, const Pair& pair) {
+  const auto& w = model.bodies.inverse_mass;
+  const Vec3 a = w[pair.a] * loads.force[pair.a];
+  return pair.b < model.bodies.size() ? Vec3(a - w[pair.b] * loads.force[pair.b]) : a;
+}
 
 double time_to_close(double gap, double closing, double acceleration) {
   if (gap <= 0) return 0;

@@ -20,6 +20,9 @@ Outlook look_ahead(const Model& model, const Motions& motions, const Forces& loa
 double time_within_skin(const Model& model, const Motions& motions, const Forces& loads,
                         const Neighbours& neighbours);
 
+/// Of a against b, or against a wall, that constant loads make [m/s²].
+Vec3 relative_acceleration(const Model& model, const Forces& loads, const Pair& pair);
+
 /// First t ≥ 0 [s] at which gap − closing t − ½ acceleration t² is zero, infinite where it never is. The
 /// surfaces of two spheres, or of a sphere and a plane, cannot meet before: their distance is at least its
 /// projection on any line.

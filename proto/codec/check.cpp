@@ -56,7 +56,7 @@ void rules(const Place& at, const ArcLength& arc) {
 }
 
 void rules(const Place& at, const Configured& configured) {
-  demand(configured.resolved_gap >= 0, at, "resolved_gap", ">= 0 m", configured.resolved_gap);
+  demand(configured.resolved_gap_ratio >= 0, at, "resolved_gap_ratio", ">= 0", configured.resolved_gap_ratio);
 }
 
 void rules(const Place& at, const Motion& motion) {
@@ -114,6 +114,7 @@ void rules(const Place& at, const Load& load) {
 
 void rules(const Place& at, const DemAdvance& advance) {
   demand(advance.time_step >= 0, at, "time_step", ">= 0 s", advance.time_step);
+  for (const double gap : advance.resolved_gaps) demand(gap > 0, at, "resolved_gaps", "> 0 m", gap);
 }
 
 void rules(const Place& at, const DemAdvanced& advanced) {

@@ -107,7 +107,7 @@ Configure unpack(Reader& r, const wire::Configure* w) {
   return {r.text(w->scene()), r.text(w->mesh_name()), r.numbers(w->mesh()), r.numbers(w->state())};
 }
 Configured unpack(Reader& r, const wire::Configured* w) {
-  return {r.list(w->arc_lengths()), w->resolved_gap(), r.list(w->notes()), r.list(w->figures())};
+  return {r.list(w->arc_lengths()), w->resolved_gap_ratio(), r.list(w->notes()), r.list(w->figures())};
 }
 FluidAdvance unpack(Reader& r, const wire::FluidAdvance* w) {
   return {w->time(), w->time_step(), r.list(w->interfaces()), w->same_interfaces()};
@@ -117,7 +117,8 @@ FluidAdvanced unpack(Reader& r, const wire::FluidAdvanced* w) {
           w->residual(),  w->time_error(),     w->time_error_order()};
 }
 DemAdvance unpack(Reader& r, const wire::DemAdvance* w) {
-  return {w->time(), w->time_step(), r.list(w->loads()), r.list(w->prescribed())};
+  return {w->time(), w->time_step(), r.list(w->loads()), r.list(w->prescribed()),
+          r.numbers(w->resolved_gaps())};
 }
 DemAdvanced unpack(Reader& r, const wire::DemAdvanced* w) {
   return {w->converged(), r.text(w->reason()), r.list(w->motions()),

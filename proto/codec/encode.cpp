@@ -85,7 +85,7 @@ auto pack(Builder& b, const Configure& m) {
                                numbers(b, m.state));
 }
 auto pack(Builder& b, const Configured& m) {
-  return wire::CreateConfigured(b, list(b, m.arc_lengths), m.resolved_gap, list(b, m.notes),
+  return wire::CreateConfigured(b, list(b, m.arc_lengths), m.resolved_gap_ratio, list(b, m.notes),
                                 list(b, m.figures));
 }
 auto pack(Builder& b, const FluidAdvance& m) {
@@ -96,7 +96,8 @@ auto pack(Builder& b, const FluidAdvanced& m) {
                                    m.newton_iterations, m.residual, m.time_error, m.time_error_order);
 }
 auto pack(Builder& b, const DemAdvance& m) {
-  return wire::CreateDemAdvance(b, m.time, m.time_step, list(b, m.loads), list(b, m.prescribed));
+  return wire::CreateDemAdvance(b, m.time, m.time_step, list(b, m.loads), list(b, m.prescribed),
+                                numbers(b, m.resolved_gaps));
 }
 auto pack(Builder& b, const DemAdvanced& m) {
   return wire::CreateDemAdvanced(b, m.converged, text(b, m.reason), list(b, m.motions), m.sub_steps,

@@ -51,7 +51,7 @@ inline constexpr auto members_of<ArcLength> =
 template <>
 inline constexpr auto members_of<Configured> = std::tuple{
     member("arc_lengths", &Configured::arc_lengths),
-    member("resolved_gap", &Configured::resolved_gap),
+    member("resolved_gap_ratio", &Configured::resolved_gap_ratio),
     member("notes", &Configured::notes),
     member("figures", &Configured::figures),
 };
@@ -113,6 +113,7 @@ inline constexpr auto members_of<DemAdvance> = std::tuple{
     member("time_step", &DemAdvance::time_step),
     member("loads", &DemAdvance::loads),
     member("prescribed", &DemAdvance::prescribed),
+    member("resolved_gaps", &DemAdvance::resolved_gaps),
 };
 template <>
 inline constexpr auto members_of<DemAdvanced> = std::tuple{

@@ -81,7 +81,7 @@ TEST(Solver, a_search_finds_the_pairs_that_all_pairs_would) {
   const Solver solver = settled_for(50);
   const auto& x = solver.motions().position;
   Neighbours found;
-  search(solver.model(), x, found);
+  search(solver.model(), x, 0, found);
   std::vector<Pair> expected;
   for (std::uint32_t a = 0; a < x.size(); ++a) {
     for (std::uint32_t b = a + 1; b < x.size() + solver.model().walls.size(); ++b) {

@@ -1,0 +1,187 @@
+#include "dem/films.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dem/sub_steps.hpp"
+
+namespace fpi::dem {
+namespace {
+
+constexpr double most_change = 0.1;  ///< of a gap in one sub-step
+
+GapShape shape_of(const Model& model, const Pair& pair) {
+  const double ratio = model.lubricant.radius_ratio, Ra = ratio * model.bodies.radius[pair.a];
+  const bool wall = pair.b >= model.bodies.size();
+  return gap_shape(Ra, wall ? std::numeric_limits<double>::infinity() : ratio * model.bodies.radius[pair.b]);
+}
+
+/// The gap of the surfaces that the fluid sees.
+double film_gap(const Model& model, const Pair& pair, const Separation& contact) {
+  const bool wall = pair.b >= model.bodies.size();
+  const double sum = model.bodies.radius[pair.a] + (wall ? 0 : model.bodies.radius[pair.b]);
+  return contact.gap + (1 - model.lubricant.radius_ratio) * sum;
+}
+
+double roughness(const Model& model, const Pair& pair) {
+  const double Ra = model.bodies.radius[pair.a];
+  const double smaller = pair.b < model.bodies.size() ? std::min(Ra, model.bodies.radius[pair.b]) : Ra;
+  return model.lubricant.roughness * smaller;
+}
+
+/// Below the roughness a film stays as it is there.
+Resistance unresolved_film(const Model& model, const Pair& pair, double gap, double resolved) {
+  return unresolved(model.plane ? disc_film : sphere_film, model.lubricant.viscosity, shape_of(model, pair),
+                    std::max(gap, roughness(model, pair)), resolved);
+}
+
+}  // namespace
+
+Films::Films(const Model& model, std::span<const double> resolved_gaps)
+    : model_(model), resolved_gaps_(resolved_gaps), row_(model.bodies.size(), -1) {
+  if (model.lubricant.viscosity == 0) return;
+  axes_ = model.plane ? std::vector{0, 1, 5} : std::vector{0, 1, 2, 3, 4, 5};
+  const auto& widest = resolved_gaps.empty() ? model.bodies.radius : resolved_gaps;
+  reach_ = *std::ranges::max_element(widest);
+}
+
+double Films::resolved_gap(const Pair& pair) const {
+  if (resolved_gaps_.empty()) return 0;
+  const double a = resolved_gaps_[pair.a];
+  return pair.b < model_.bodies.size() ? 0.5 * (a + resolved_gaps_[pair.b]) : a;
+}
+
+double Films::longest_step(const Motions& motions, const Forces& loads, const Neighbours& neighbours) const {
+  double longest = std::numeric_limits<double>::infinity();
+  if (reach_ == 0) return longest;
+  for (const Pair& pair : neighbours.pairs) {
+    const Separation contact = separation(model_, motions.position, pair);
+    const Normal state = normal_state(model_, pair, contact, motions.velocity);
+    const double gap = film_gap(model_, pair, contact), rough = roughness(model_, pair);
+    const double resolved = resolved_gap(pair),
+                 begin = resolved > 0 ? resolved : shape_of(model_, pair).radius;
+    double way = most_change * std::max(rough, std::min(gap, begin));  // that changes the film by little
+    if (gap > begin) way += gap - begin;
+    if (gap < rough) way = state.rate > 0 ? begin : way + rough - gap;
+    const double acceleration = std::abs(relative_acceleration(model_, loads, pair).dot(contact.normal));
+    const double c = unresolved_film(model_, pair, gap, resolved).normal, speed = std::abs(state.rate);
+    const double free = time_to_close(way, speed, acceleration);
+    longest = std::min(longest, c > 0 ? std::max(free, way / (speed + acceleration * state.mass / c)) : free);
+  }
+  return longest;
+}
+
+void Films::place(const std::vector<Vec3>& position, const Neighbours& neighbours) {
+  dampers_.clear();
+  if (reach_ == 0) return;
+  for (const Pair& pair : neighbours.pairs) {
+    const Separation contact = separation(model_, position, pair);
+    const Resistance film =
+        unresolved_film(model_, pair, film_gap(model_, pair, contact), resolved_gap(pair));
+    if (film.normal > 0) add_dampers(pair, contact, film);
+  }
+}
+
+/// With the centres D apart the line of centres turns at ω_L = (v_b − v_a)·t/D about e = n × t; a wall is a
+/// body with an infinite radius, whose line of centres does not turn.
+void Films::add_dampers(const Pair& pair, const Separation& contact, const Resistance& film) {
+  const bool wall = pair.b >= model_.bodies.size();
+  const double ratio = model_.lubricant.radius_ratio, Ra = ratio * model_.bodies.radius[pair.a];
+  const double Rb = wall ? 0 : ratio * model_.bodies.radius[pair.b];
+  const double D = Ra / ratio + contact.gap + Rb / ratio;
+  const auto join = [](const Vec3& velocity, const Vec3& spin) {
+    return (Vec6() << velocity, spin).finished();
+  };
+  const Vec3& n = contact.normal;
+  dampers_.push_back({pair, film.normal, join(n, Vec3::Zero()), join(-n, Vec3::Zero())});
+  const auto add_along = [&](const Vec3& t) {
+    const Vec3 e = n.cross(t);
+    const Vec3 slide = (wall ? 1 : (Ra + Rb) / D) * t, roll = (wall ? -1 : (Ra - Rb) / D) * t;
+    dampers_.push_back({pair, film.sliding, join(slide, Ra * e), join(-slide, Rb * e)});
+    dampers_.push_back({pair, film.rolling, join(roll, Ra * e), join(-roll, -Rb * e)});
+  };
+  const Vec3 t = model_.plane ? Vec3(-n.y(), n.x(), 0) : n.unitOrthogonal();
+  add_along(t);
+  if (!model_.plane) add_along(n.cross(t));
+}
+
+void Films::number_bodies() {
+  n_rows_ = 0;
+  std::ranges::fill(row_, -1);
+  for (const Damper& damper : dampers_)
+    each_body(damper, [&](std::uint32_t body, const Vec6&) {
+      if (row_[body] >= 0 || !model_.bodies.is_free(body)) return;
+      row_[body] = n_rows_;
+      n_rows_ += static_cast<Eigen::Index>(axes_.size());
+    });
+}
+
+/// M + Δt Σ c g gᵀ over the free bodies that a film touches.
+void Films::prepare(double duration) {
+  if (empty()) return;
+  duration_ = duration;
+  number_bodies();
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto n_axes = static_cast<Eigen::Index>(axes_.size());
+  for (std::size_t i = 0; i < row_.size(); ++i) {
+    if (row_[i] < 0) continue;
+    for (Eigen::Index k = 0; k < n_axes; ++k)
+      entries.emplace_back(
+          row_[i] + k, row_[i] + k,
+          1 / (axes_[k] < 3 ? model_.bodies.inverse_mass[i] : model_.bodies.inverse_inertia[i]));
+  }
+  for (const Damper& damper : dampers_)
+    each_body(damper, [&](std::uint32_t i, const Vec6& along_i) {
+      each_body(damper, [&](std::uint32_t j, const Vec6& along_j) {
+        if (row_[i] < 0 || row_[j] < 0) return;
+        for (Eigen::Index k = 0; k < n_axes; ++k)
+          for (Eigen::Index l = 0; l < n_axes; ++l)
+            entries.emplace_back(row_[i] + k, row_[j] + l,
+                                 duration_ * damper.c * along_i[axes_[k]] * along_j[axes_[l]]);
+      });
+    });
+  Eigen::SparseMatrix<double> matrix(n_rows_, n_rows_);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  factor_.compute(matrix);
+}
+
+/// (M + Δt Z) v₁ = M v₀ gives the dampers' rates at the end; their impulses, equal and opposite to the last
+/// bit, are what the bodies get, so that momentum does not depend on how well the equations were solved.
+void Films::damp(std::vector<Vec3>& velocity, std::vector<Vec3>& spin) const {
+  if (empty()) return;
+  const auto rate = [&](const Damper& damper) {
+    double sum = 0;
+    each_body(damper, [&](std::uint32_t i, const Vec6& along) {
+      sum += along.head<3>().dot(velocity[i]) + along.tail<3>().dot(spin[i]);
+    });
+    return sum;
+  };
+  std::vector<double> impulse;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n_rows_);
+  for (const Damper& damper : dampers_) {
+    impulse.push_back(-duration_ * damper.c * rate(damper));
+    each_body(damper, [&](std::uint32_t i, const Vec6& along) {
+      if (row_[i] < 0) return;
+      for (std::size_t k = 0; k < axes_.size(); ++k)
+        right[row_[i] + static_cast<Eigen::Index>(k)] += impulse.back() * along[axes_[k]];
+    });
+  }
+  const Eigen::VectorXd change = factor_.solve(right);
+  for (std::size_t d = 0; d < dampers_.size(); ++d) {
+    double further = 0;
+    each_body(dampers_[d], [&](std::uint32_t i, const Vec6& along) {
+      if (row_[i] < 0) return;
+      for (std::size_t k = 0; k < axes_.size(); ++k)
+        further += along[axes_[k]] * change[row_[i] + static_cast<Eigen::Index>(k)];
+    });
+    impulse[d] -= duration_ * dampers_[d].c * further;
+  }
+  for (std::size_t d = 0; d < dampers_.size(); ++d)
+    each_body(dampers_[d], [&](std::uint32_t i, const Vec6& along) {
+      velocity[i] += model_.bodies.inverse_mass[i] * impulse[d] * along.head<3>();
+      spin[i] += model_.bodies.inverse_inertia[i] * impulse[d] * along.tail<3>();
+    });
+}
+
+}  // namespace fpi::dem

@@ -1,0 +1,59 @@
+/// The lubricated gaps between the bodies as they are now: dampers between pairs, and their implicit action
+/// on velocities. Stiff films are no harder than soft ones; momentum is exact and energy only ever lost.
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <span>
+
+#include "dem/forces.hpp"
+#include "dem/lubrication_law.hpp"
+
+namespace fpi::dem {
+
+class Films {
+ public:
+  /// `resolved_gaps` [m] of each body; empty: no fluid is resolved.
+  Films(const Model& model, std::span<const double> resolved_gaps);
+
+  /// The gap below which the widest film begins [m]; 0 where there are none.
+  double reach() const { return reach_; }
+  /// Time [s] in which no film changes by much, under constant `loads`; infinite where none is near.
+  double longest_step(const Motions& motions, const Forces& loads, const Neighbours& neighbours) const;
+
+  /// Finds the films at these places.
+  void place(const std::vector<Vec3>& position, const Neighbours& neighbours);
+  bool empty() const { return dampers_.empty(); }
+  /// Gets ready to let them act for `duration` [s].
+  void prepare(double duration);
+  /// Lets the films act: backward Euler for all of them together.
+  void damp(std::vector<Vec3>& velocity, std::vector<Vec3>& spin) const;
+
+ private:
+  using Vec6 = Eigen::Matrix<double, 6, 1>;  ///< of velocity and spin
+  /// Resists c · (along_a · v_a + along_b · v_b), v the velocity and spin of a body. A wall has no v_b.
+  struct Damper {
+    Pair pair;
+    double c;
+    Vec6 along_a, along_b;
+  };
+  double resolved_gap(const Pair& pair) const;
+  void add_dampers(const Pair& pair, const Separation& gap, const Resistance& film);
+  void number_bodies();
+  /// Calls visit(body, along) for the bodies of a damper.
+  template <class Visit>
+  void each_body(const Damper& damper, Visit visit) const {
+    visit(damper.pair.a, damper.along_a);
+    if (damper.pair.b < model_.bodies.size()) visit(damper.pair.b, damper.along_b);
+  }
+
+  const Model& model_;
+  std::span<const double> resolved_gaps_;
+  double reach_ = 0, duration_ = 0;
+  std::vector<int> axes_;  ///< of the six that a body moves along: three in the plane
+  std::vector<Damper> dampers_;
+  std::vector<Eigen::Index> row_;  ///< first equation of each body, or −1
+  Eigen::Index n_rows_ = 0;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+};
+
+}  // namespace fpi::dem
