@@ -16,7 +16,11 @@ struct MeshView {
     return open + share * resolved * std::pow(1 - open / resolved, power);
   }
 };
-constexpr MeshView towards_wall{0.2, 2.5}, between_discs{0.25, 1.5}, along_surfaces{0.025, 1};
+struct MeshViews {
+  MeshView normal, sliding, rolling;
+};
+constexpr MeshViews beside_wall{{0.2, 2.5}, {0.015, 0.5}, {0.015, 0.5}},
+    between_discs{{0.25, 1.5}, {0.02, 1}, {0.215, 1}};
 
 }  // namespace
 
@@ -39,12 +43,13 @@ Resistance sphere_film(double viscosity, const GapShape& shape, double gap) {
 
 Resistance unresolved(FilmLaw law, double viscosity, const GapShape& shape, double gap, double resolved) {
   if (gap >= (resolved > 0 ? resolved : shape.radius)) return {};
-  const MeshView& across = std::isinf(shape.sum) ? towards_wall : between_discs;
+  const MeshViews& views = std::isinf(shape.sum) ? beside_wall : between_discs;
   const auto seen = [&](const MeshView& view) {
     return law(viscosity, shape, resolved > 0 ? view.gap(gap, resolved) : shape.radius);
   };
-  const Resistance whole = law(viscosity, shape, gap), shear = seen(along_surfaces);
-  return {whole.normal - seen(across).normal, whole.sliding - shear.sliding, whole.rolling - shear.rolling};
+  const Resistance whole = law(viscosity, shape, gap);
+  return {whole.normal - seen(views.normal).normal, whole.sliding - seen(views.sliding).sliding,
+          whole.rolling - seen(views.rolling).rolling};
 }
 
 }  // namespace fpi::dem
