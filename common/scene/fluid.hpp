@@ -236,8 +236,10 @@ struct Fluid {
     v.choice({"linear_solver", "",
               "direct solver: umfpack, or mumps, the faster one where the build has it (libmumps-seq-dev)"},
              linear_solver, linear_solvers);
-    v.real({"newmark_gamma", "", "γ of Newmark's method: 0.5 second order, 1 backward Euler"}, newmark_gamma,
-           between(0.5, 1));
+    v.real({"newmark_gamma", "",
+            "γ of Newmark's method: 0.5 second order, 1 backward Euler; where bodies move, any below 1 means "
+            "BDF2"},
+           newmark_gamma, between(0.5, 1));
     v.formulas({"body_force", "N/m³", "force density besides gravity, formulas of x, y, t"}, body_force,
                {2, 2});
     v.formulas(

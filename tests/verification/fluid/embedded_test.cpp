@@ -120,7 +120,7 @@ TEST(Embedded, a_linear_flow_trusts_no_factor_of_another_time_scheme) {
   auto s = settings(1, 0.1,
                     {{"left", no_slip()}, {"right", no_slip()}, {"bottom", no_slip()}, {"top", no_slip()}});
   s.fluid.convection = false;
-  s.bodies_move = true;  // backward Euler first, then γ = ½ away from the body
+  s.bodies_move = true;  // backward Euler first, then BDF2
   Interface disc = circle(0, {0.52, 0.47}, 0.2, 1.0 / 12);
   disc.rigid.spin = 1;
   NavierStokes solver(square(12), s);
