@@ -19,6 +19,7 @@ std::optional<double> read(const NavierStokes& solver, const std::string& quanti
 }
 
 std::optional<double> read(const NavierStokes& solver, const scene::Probe& probe) {
+  if (probe.is_mean()) return solver.superficial_velocity()[probe.quantity.ends_with("x") ? 0 : 1];
   const auto value = read(solver, probe.quantity, to_plane(probe.point));
   if (!value || probe.minus.empty()) return value;
   const auto minus = read(solver, probe.quantity, to_plane(probe.minus));

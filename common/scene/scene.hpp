@@ -87,22 +87,31 @@ struct Coefficients {
   }
 };
 
-/// [[probes]]: a value at a point, or the difference of the values at two points.
+/// [[probes]]: a value at a point, the difference of the values at two points, or a mean over the flow.
 struct Probe {
   std::string name;
   std::string quantity = "pressure";
   std::vector<double> point, minus;
 
-  static constexpr std::array<std::string_view, 3> quantities{"pressure", "velocity_x", "velocity_y"};
+  static constexpr std::array<std::string_view, 5> quantities{
+      "pressure", "velocity_x", "velocity_y", "superficial_velocity_x", "superficial_velocity_y"};
+
+  bool is_mean() const { return quantity.starts_with("superficial"); }
 
   void declare(ParameterVisitor& v) {
     v.text({"name", "", "name in the results; unique", true}, name);
-    v.choice({"quantity", "", "what is read there; pressure is the reduced one where there is gravity"},
-             quantity, quantities);
-    v.reals({"point", "m", "where", true}, point, {2, 2}, any_number());
+    v.choice(
+        {"quantity", "",
+         "what is read there; pressure is the reduced one where there is gravity; superficial velocities are "
+         "means over the rectangle around the mesh, bodies included"},
+        quantity, quantities);
+    v.reals({"point", "m", "where; empty for superficial velocities"}, point, {0, 2}, any_number());
     v.reals({"minus", "m", "a second point whose value is taken away; empty: none"}, minus, {0, 2},
             any_number());
     v.require(minus.size() != 1, "minus", "must be [x, y] or empty");
+    v.require(point.size() == (is_mean() ? 0 : 2), "point",
+              is_mean() ? "must be left out: a superficial velocity is a mean" : "must be [x, y]");
+    v.require(!is_mean() || minus.empty(), "minus", "must be left out: a superficial velocity is a mean");
   }
 };
 

@@ -7,6 +7,7 @@
 #include "fluid/condition.hpp"
 #include "fluid/periodic_mesh.hpp"
 #include "fluid/steady.hpp"
+#include "fluid/superficial.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -78,6 +79,7 @@ NewtonResult NavierStokes::start_step(const Request& request) {
     monitor.phase("interface");
     system_ = std::make_shared<System>(space_, settings_.fluid, request.interfaces, monitor.ledger);
   }
+  if (!accepted_system_) check_held(request.time_step == 0);
   start_ = accepted_;
   NewtonResult result;
   result.converged = true;
@@ -338,6 +340,25 @@ FlowErrors NavierStokes::errors(const ExactFlow& exact) const {
   return flow_errors(space_.mesh,
                      accepted_system_ ? accepted_system_->cut() : cut_mesh(space_.mesh, space_.locator, {}),
                      accepted_, exact, closed);
+}
+
+Vec2 NavierStokes::superficial_velocity() const {
+  require(accepted_system_ != nullptr,
+          "the superficial velocity is known after a step; none was accepted yet");
+  return fluid::superficial_velocity(space_.mesh, accepted_system_->cut(), accepted_.u);
+}
+
+/// Where nothing holds the fluid along an axis, a steady flow has any velocity that way, or none.
+void NavierStokes::check_held(bool steady) const {
+  const auto direction = unheld_direction(space_.boundary, system_->numbering());
+  if (!direction) return;
+  const std::string nothing =
+      fmt::format("nothing holds the fluid along ({:.3g}, {:.3g})", direction->x(), direction->y());
+  require(!steady,
+          "{}: a steady flow needs a wall, a body or a given velocity that does; add one, or solve in time",
+          nothing);
+  if (!body_force_.is_zero())
+    log::warning("{}: the mean of the force on it makes it faster for ever", nothing);
 }
 
 /// The residual of the nodes that a boundary holds is what it does to the fluid, to the order of the scheme.

@@ -76,6 +76,8 @@ class NavierStokes {
   bool has(const Vec2& x) const { return space_.locator.find(x).has_value(); }
   /// Velocity [m/s] and pressure [Pa] of the accepted state; nothing inside a body or outside the mesh.
   std::optional<std::pair<Vec2, double>> at(const Vec2& x) const;
+  /// Of the last accepted step [m/s].
+  Vec2 superficial_velocity() const;
   /// Of the accepted state.
   FlowErrors errors(const ExactFlow& exact) const;
   /// The named boundaries that hold the fluid, and what it did to them as of the last accept.
@@ -96,6 +98,7 @@ class NavierStokes {
   NewtonResult first_half_step(const Request& request);
   NewtonResult solve_step(const Request& request);
   std::vector<BodyTraction> tractions() const;
+  void check_held(bool steady) const;
   Vec2 body_velocity(const CoveredNode& covered) const;
   void measure_boundaries();
 

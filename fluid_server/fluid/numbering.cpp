@@ -1,5 +1,7 @@
 #include "fluid/numbering.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -92,6 +94,23 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
   for (Index& equation : out.multiplier)
     if (equation == wanted) equation = out.n_equations++;
   return out;
+}
+
+std::optional<Vec2> unheld_direction(const Boundary& boundary, const Numbering& numbering) {
+  constexpr double straight = 1e-12;  // squared sine of the angle that a slip wall may turn by
+  const auto in_system = [](Index equation) { return equation >= 0; };
+  if (std::ranges::any_of(numbering.multiplier, in_system)) return std::nullopt;
+  Eigen::Matrix2d held = Eigen::Matrix2d::Zero();
+  for (std::size_t node = 0; node < numbering.node_is_active.size(); ++node) {
+    const Constraint constraint = boundary.constraint(static_cast<Index>(node));
+    if (numbering.node_is_active[node] == 0 || constraint == Constraint::none) continue;
+    if (constraint == Constraint::both) return std::nullopt;
+    const Vec2& normal = boundary.normal(static_cast<Index>(node));
+    held += normal * normal.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(held);
+  if (solver.eigenvalues()[0] > straight * solver.eigenvalues()[1]) return std::nullopt;
+  return solver.eigenvectors().col(0);
 }
 
 }  // namespace fpi::fluid

@@ -3,6 +3,7 @@
 /// the fluid.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fluid/boundary.hpp"
@@ -21,5 +22,9 @@ struct Numbering {
 
 /// An arc is in the system where more than a twentieth of it lies in the fluid.
 Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut);
+
+/// A direction along which no boundary and no body gives the velocity of the system, so that a uniform flow
+/// can be added to any other; none where all are held.
+std::optional<Vec2> unheld_direction(const Boundary& boundary, const Numbering& numbering);
 
 }  // namespace fpi::fluid

@@ -156,6 +156,12 @@ class Scenes(unittest.TestCase):
         self.assertGreater(errors["velocity_l2"] / finer["velocity_l2"], 2**2.7)
         self.assertGreater(errors["pressure_l2"] / finer["pressure_l2"], 2**1.7)
 
+    def test_square_array(self):
+        summary = self.run_scene("square_array")
+        self.assert_near(1 / summary["probes"]["superficial_velocity"], 51.53, 1e-3)  # Sangani & Acrivos
+        self.assert_near(summary["bodies"][0]["force"][0], 1, 1e-10)
+        self.assertEqual(summary["boundaries"], [])
+
     def test_taylor_couette(self):
         summary = self.run_scene("taylor_couette")
         self.assert_near(summary["bodies"][0]["torque"][2], TORQUE, 1e-4)
