@@ -205,11 +205,12 @@ void System::set_load(double t, const BodyForce& body_force) {
 void System::check_closed_parts(const Residual& residual, const Vector& u) const {
   double moved = space_.boundary.flux(u).gross;
   for (const PieceIntegrals& piece : pieces_) moved += (piece.velocity[0] + piece.velocity[1]).norm();
-  const double round_off = 1e-6 * space_.smallest_size * u.lpNorm<Eigen::Infinity>();
+  // The no-slip condition holds arc by arc, so a little flows through an outline that is at rest in a flow.
+  const double leak = 0.01 * space_.smallest_size * u.lpNorm<Eigen::Infinity>();
   for (const Index v : numbering_.pinned) {
     const Vec2 x = space_.mesh.vertices[v];
     require(
-        std::abs(residual.p[v]) <= 0.05 * moved + round_off,
+        std::abs(residual.p[v]) <= 0.05 * moved + leak,
         "where no open boundary is reached, as much fluid must enter as leaves; around ({:.4g}, {:.4g}) m a "
         "net {:.4g} m²/s {}: leave a way to an open boundary, or balance the velocities",
         x.x(), x.y(), std::abs(residual.p[v]), residual.p[v] < 0 ? "leaves" : "enters");

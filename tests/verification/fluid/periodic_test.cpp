@@ -167,13 +167,14 @@ TEST(Periodic, a_small_disc_in_shear_flow_turns_with_half_the_rate) {
   const auto torque_free_spin = [](double x) {
     auto s = settings(1, 1, {{"bottom", velocity("-0.5", "0")}, {"top", velocity("0.5", "0")}});
     s.fluid.convection = false;
-    scene::Refinement around;
-    around.size = 1.0 / 64;
-    around.centre = {x, 0.5};
-    around.radius = 0.06;
-    const std::vector refinements{around};
+    std::vector<scene::Refinement> around(2);  // the disc and its image
+    for (int image : {0, 1}) {
+      around[image].size = 1.0 / 64;
+      around[image].centre = {x + image, 0.5};
+      around[image].radius = 0.06;
+    }
     const auto lines = uniform_lines(0, 1, 8);
-    NavierStokes solver(make_rectangle(lines, lines, refinements, along_x), s);
+    NavierStokes solver(make_rectangle(lines, lines, around, along_x), s);
     std::array<double, 2> torque{};
     for (int spin : {0, 1}) {
       Interface disc = circle(0, {x, 0.5}, 0.06, solver.arc_length(Disc{{x, 0.5}, 0.06}));
