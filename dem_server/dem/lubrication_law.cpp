@@ -19,8 +19,8 @@ struct MeshView {
 struct MeshViews {
   MeshView normal, sliding, rolling;
 };
-constexpr MeshViews beside_wall{{0.2, 2.5}, {0.015, 0.5}, {0.015, 0.5}},
-    between_discs{{0.25, 1.5}, {0.02, 1}, {0.215, 1}};
+constexpr MeshViews beside_wall{{0.13, 5}, {0.02, 0.25}, {0.02, 0.25}},
+    between_discs{{0.21, 3.5}, {0.02, 5}, {0.25, 2.5}};
 
 }  // namespace
 

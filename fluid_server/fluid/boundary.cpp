@@ -100,6 +100,15 @@ void Boundary::impose(double t, Vector& u) const {
     }
 }
 
+std::vector<std::uint8_t> Boundary::open_components(const Components& components) const {
+  std::vector<std::uint8_t> open(components.n(), 0);
+  for (std::size_t b = 0; b < mesh_.boundary.size(); ++b) {
+    const Index part = components.of_boundary[b];
+    if (part >= 0 && is_open(mesh_.boundary[b].boundary)) open[part] = 1;
+  }
+  return open;
+}
+
 Boundary::Flux Boundary::flux(const Vector& u) const {
   Flux out;
   for (const BoundaryEdge& b : mesh_.boundary) {

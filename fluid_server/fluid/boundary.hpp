@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "core/expression.hpp"
-#include "fluid/mesh.hpp"
-#include "fluid/outline.hpp"
+#include "fluid/components.hpp"
 #include "scene/fluid.hpp"
 
 namespace fpi::fluid {
@@ -31,6 +30,8 @@ class Boundary {
   void add_tractions(double t, std::span<const Outline> bodies, Vector& load) const;
   bool traction_depends_on_time() const;
 
+  /// 1 for the parts of the fluid that have an open boundary.
+  std::vector<std::uint8_t> open_components(const Components& components) const;
   /// Through the sides that are not open [m²/s]: ∫u·n, ∫|u·n| and ∫|u|.
   struct Flux {
     double net = 0, gross = 0, reach = 0;

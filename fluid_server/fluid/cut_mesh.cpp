@@ -163,6 +163,16 @@ std::vector<Outline> outlines(std::span<const Image> images) {
   return out;
 }
 
+void measure_multipliers(std::span<const Interface> interfaces, CutMesh& cut) {
+  cut.active_length.assign(cut.n_multipliers(), 0);
+  for (const ArcPiece& piece : cut.pieces) {
+    const Interface& interface = interfaces[piece.interface];
+    const auto hats = cut.knots[piece.interface].hats(piece.arc, 0.5 * (piece.start + piece.end));
+    for (int k = 0; k < 2; ++k)
+      cut.active_length[piece.multipliers[k]] += hats[k] * interface.outline.length(piece.start, piece.end);
+  }
+}
+
 CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces) {
   CutMesh out;
   out.images = images(mesh.period, interfaces);
@@ -182,13 +192,7 @@ CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Inter
     cut_cell(mesh, cell, {it, end}, interfaces, out);
     it = end;
   }
-  out.active_length.assign(out.n_multipliers(), 0);
-  for (const ArcPiece& piece : out.pieces) {
-    const Interface& interface = interfaces[piece.interface];
-    const auto hats = out.knots[piece.interface].hats(piece.arc, 0.5 * (piece.start + piece.end));
-    for (int k = 0; k < 2; ++k)
-      out.active_length[piece.multipliers[k]] += hats[k] * interface.outline.length(piece.start, piece.end);
-  }
+  measure_multipliers(interfaces, out);
   collect_ghost_edges(mesh, out);
   collect_covered_nodes(mesh, locator, out);
   return out;

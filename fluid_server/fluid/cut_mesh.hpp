@@ -64,6 +64,9 @@ struct CutMesh {
 std::vector<Image> images(const Period& period, std::span<const Interface> interfaces);
 std::vector<Outline> outlines(std::span<const Image> images);
 
+/// Sets the active lengths, by the pieces.
+void measure_multipliers(std::span<const Interface> interfaces, CutMesh& cut);
+
 CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces);
 
 /// Arc length that suits the mesh around an outline: `ratio` times the mean size h of the elements it cuts; 0

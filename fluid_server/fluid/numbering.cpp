@@ -2,61 +2,25 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace fpi::fluid {
 namespace {
 
-/// Union–find with path halving.
-class Components {
- public:
-  explicit Components(Index n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  Index find(Index a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  void join(Index a, Index b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<Index> parent_;
-};
-
-/// True where bodies cover the whole edge, so that no fluid passes.
-bool is_blocked(const Mesh& mesh, Index edge, std::span<const Outline> outlines) {
-  return uncovered(mesh.vertices[mesh.edges[edge][0]], mesh.vertices[mesh.edges[edge][1]], outlines).empty();
-}
-
-/// One vertex of each fluid component that has no open boundary: its pressure is pinned.
-std::vector<Index> pinned_vertices(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
-                                   std::span<const Outline> outlines) {
-  Components components(mesh.n_cells());
-  for (Index e = 0; e < mesh.n_edges(); ++e) {
-    const auto [c1, c2] = mesh.edge_cells[e];
-    if (c2 == -1 || !cut.is_active(c1) || !cut.is_active(c2)) continue;
-    const bool near_body = cut.state[c1] == CellState::cut && cut.state[c2] == CellState::cut;
-    if (!near_body || !is_blocked(mesh, e, outlines)) components.join(c1, c2);
-  }
-  std::vector<std::uint8_t> has_level(mesh.n_cells(), 0);
-  for (const BoundaryEdge& b : mesh.boundary)
-    if (cut.is_active(b.cell) && boundary.is_open(b.boundary) &&
-        (cut.state[b.cell] == CellState::fluid || !is_blocked(mesh, b.edge, outlines)))
-      has_level[components.find(b.cell)] = 1;
+/// One vertex of each part of the fluid that no open boundary gives a pressure level, away from bodies where
+/// the part has a whole element.
+std::vector<Index> pinned_vertices(const Mesh& mesh, const Components& components,
+                                   const std::vector<std::uint8_t>& is_open) {
   std::vector<Index> pinned;
-  for (Index c = 0; c < mesh.n_cells(); ++c) {
-    if (cut.state[c] != CellState::fluid)
-      continue;  // a cut element's corner may be held by the penalty alone
-    const Index root = components.find(c);
-    if (has_level[root]) continue;
-    has_level[root] = 1;
-    pinned.push_back(mesh.cell_vertices(c)[0]);
-  }
+  for (Index part = 0; part < components.n(); ++part)
+    if (!is_open[part]) pinned.push_back(mesh.cell_vertices(components.fullest[part])[0]);
   return pinned;
 }
 
 }  // namespace
 
-Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut) {
+Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
+                          const Components& components) {
   constexpr Index absent = -1, wanted = 0;
   Numbering out;
   out.velocity.assign(2 * static_cast<std::size_t>(mesh.n_nodes()), absent);
@@ -69,7 +33,7 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
     for (Index node : mesh.cell_nodes(c)) out.node_is_active[node] = 1;
     for (Index v : mesh.cell_vertices(c)) out.pressure[v] = wanted;
   }
-  out.pinned = pinned_vertices(mesh, boundary, cut, outlines(cut.images));
+  out.pinned = pinned_vertices(mesh, components, boundary.open_components(components));
   for (Index v : out.pinned) out.pressure[v] = absent;
   for (std::size_t i = 0; i < cut.knots.size(); ++i) {
     Index m = cut.first_multiplier[i];

@@ -1,13 +1,13 @@
 /// Which unknowns are in the system: velocities of active nodes that the boundary does not give, pressures of
-/// active vertices except one pinned where a fluid component knows no pressure level, multipliers of arcs in
-/// the fluid.
+/// active vertices except one pinned in each part of the fluid that knows no pressure level, multipliers of
+/// arcs in the fluid.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "fluid/boundary.hpp"
-#include "fluid/cut_mesh.hpp"
+#include "fluid/components.hpp"
 
 namespace fpi::fluid {
 
@@ -21,7 +21,8 @@ struct Numbering {
 };
 
 /// An arc is in the system where more than a twentieth of it lies in the fluid.
-Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut);
+Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
+                          const Components& components);
 
 /// A direction along which no boundary and no body gives the velocity of the system, so that a uniform flow
 /// can be added to any other; none where all are held.

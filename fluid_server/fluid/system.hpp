@@ -64,6 +64,7 @@ class System {
 
   const Space& space() const { return space_; }
   const CutMesh& cut() const { return cut_; }
+  const Components& components() const { return components_; }
   const Numbering& numbering() const { return numbering_; }
   const std::vector<Interface>& interfaces() const { return interfaces_; }
   /// Length of arc that suits the mesh around each interface [m].
@@ -78,7 +79,7 @@ class System {
   /// Residual of eq. (20); fills the matrix with its Jacobian too where `with_jacobian`.
   Residual assemble(const Flow& flow, const Fields& fields, const TimeTerms& time, bool with_jacobian);
 
-  /// Throws Error where a part of the fluid that no open boundary reaches gains or loses volume in the flow u
+  /// Throws Error where a part of the fluid at sides that are all closed gains or loses volume in the flow u
   /// [m/s]: the continuity equation that its pinned pressure leaves out has a residual beyond a twentieth of
   /// what boundaries let through and bodies push.
   void check_closed_parts(const Residual& residual, const Vector& u) const;
@@ -147,6 +148,7 @@ class System {
   std::string linear_solver_;
   std::vector<Interface> interfaces_;
   CutMesh cut_;
+  Components components_;
   std::vector<double> arc_lengths_;
   Numbering numbering_;
   std::vector<Index> active_cells_;
