@@ -34,7 +34,8 @@ Vector predicted_velocity(const State& state, double time_step) {
 /// to the other side.
 TimeError time_error(const Scheme& scheme, const State& start, const Vector& u, double time_step) {
   if (!start.has_acceleration || !start.has_previous_acceleration) return {};
-  const double size = u.norm(), first_order = 1 - 0.5 * scheme.inertia * time_step;  // (γ − ½)/γ
+  const double size = u.norm();
+  const double first_order = 0.5 * (1 - scheme.acceleration);  // (γ − ½)/γ, at γ = ½ 0 to the bit
   if (size == 0) return {0, 3};
   if (!scheme.is_bdf2() && first_order > 0)
     return {first_order * (u - start.u - time_step * start.acceleration).norm() / size, 2};

@@ -68,7 +68,7 @@ title = "a pulse of inflow past a held disc, on a coarse mesh"
 [time]
 {time}
 [output]
-checkpoint_every = 20
+checkpoint_every = 22
 [fluid]
 density = 1.0
 kinematic_viscosity = 0.02

@@ -171,7 +171,7 @@ TEST_F(RunTest, a_body_where_the_mesh_is_coarser_than_asked_is_warned_of_once) {
     const std::size_t first = text.find(told);
     return first == std::string::npos ? 0 : text.find(told, first + 1) == std::string::npos ? 1 : 2;
   };
-  fluid.arc_length = 0.2;  // of a disc of diameter 1
+  fluid.arc_length = 0.2 * scene.fluid->embedding.arc_ratio;  // of a disc of diameter 1
   EXPECT_EQ(warnings(5, "as_asked"), 0);
   EXPECT_EQ(warnings(16, "too_coarse"), 1);
 }
