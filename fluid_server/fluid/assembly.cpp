@@ -6,8 +6,8 @@
 namespace fpi::fluid {
 namespace {
 
-constexpr double passing =
-    3;  ///< rate of the ghost penalty over speed/h, measured: less is noisier, more less exact
+/// Rate of the ghost penalty over speed/h, measured: less is noisier, more less exact.
+constexpr double passing = 3;
 constexpr std::size_t most_curved_points = triangle_degree_6.size();
 
 /// Number `lane` of a value that holds one or several.

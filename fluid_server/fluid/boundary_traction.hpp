@@ -1,6 +1,6 @@
 /// Traction of the fluid on the boundaries that hold it, recovered from the residual: the continuous P2 field
-/// t with ∫ t·w = −residual(w) for the functions w of a boundary's nodes. No gradient is
-/// taken, and its integral is the sum of the nodal reactions.
+/// t with ∫ t·w = −residual(w) for the functions w of a boundary's nodes. No gradient is taken, and its
+/// integral is the sum of the nodal reactions.
 #pragma once
 
 #include <Eigen/SparseCore>

@@ -15,6 +15,8 @@ struct Components {
   std::vector<Index> fullest;      ///< cell of each part with the largest share in the fluid
   std::vector<double> size;        ///< of each part: the sum of these shares, in elements
   Index n() const { return static_cast<Index>(size.size()); }
+  /// The vertex at which the pressure of a part is pinned where nothing else gives its level.
+  Index pin(const Mesh& mesh, Index part) const { return mesh.cell_vertices(fullest[part])[0]; }
 };
 
 Components find_components(const Mesh& mesh, const CutMesh& cut);

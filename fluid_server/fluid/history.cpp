@@ -2,29 +2,10 @@
 
 #include <algorithm>
 
+#include "fluid/sample.hpp"
+
 namespace fpi::fluid {
 namespace {
-
-/// The P2 functions at one place of the mesh.
-class Sample {
- public:
-  Sample(const Mesh& mesh, const Place& place)
-      : nodes_(mesh.cell_nodes(place.cell)), n_(p2_at(place.l)), l_(place.l) {}
-
-  Vec2 velocity(const Vector& nodal) const {
-    Vec2 value = Vec2::Zero();
-    for (int i = 0; i < 6; ++i) value += n_[i] * nodal.segment<2>(2 * nodes_[i]);
-    return value;
-  }
-  double pressure(const Vector& nodal) const {
-    return l_[0] * nodal[nodes_[0]] + l_[1] * nodal[nodes_[1]] + l_[2] * nodal[nodes_[2]];
-  }
-
- private:
-  std::array<Index, 6> nodes_;
-  Padded n_;
-  Barycentric l_;
-};
 
 std::optional<Sample> sample(const Space& space, const Vec2& x) {
   const std::optional<Place> place = space.locator.find(x);

@@ -6,6 +6,7 @@
 #include "core/log.hpp"
 #include "fluid/condition.hpp"
 #include "fluid/periodic_mesh.hpp"
+#include "fluid/sample.hpp"
 #include "fluid/steady.hpp"
 #include "fluid/superficial.hpp"
 
@@ -325,14 +326,8 @@ std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
     for (const Image& image :
          accepted_system_->cut().images)  // a point on the outline itself is in the fluid
       if (image.outline.distance(wrapped) < -1e-6 * std::sqrt(image.outline.area())) return std::nullopt;
-  const auto& [c, l] = *place;
-  const Padded n = p2_at(l);
-  const auto nodes = space_.mesh.cell_nodes(c);
-  Vec2 u = Vec2::Zero();
-  double p = 0;
-  for (int i = 0; i < 6; ++i) u += n[i] * accepted_.u.segment<2>(2 * nodes[i]);
-  for (int i = 0; i < 3; ++i) p += l[i] * accepted_.p[nodes[i]];
-  return std::pair{u, p};
+  const Sample here(space_.mesh, *place);
+  return std::pair{here.velocity(accepted_.u), here.pressure(accepted_.p)};
 }
 
 FlowErrors NavierStokes::errors(const ExactFlow& exact) const {

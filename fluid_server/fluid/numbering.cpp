@@ -13,7 +13,7 @@ std::vector<Index> pinned_vertices(const Mesh& mesh, const Components& component
                                    const std::vector<std::uint8_t>& is_open) {
   std::vector<Index> pinned;
   for (Index part = 0; part < components.n(); ++part)
-    if (!is_open[part]) pinned.push_back(mesh.cell_vertices(components.fullest[part])[0]);
+    if (!is_open[part]) pinned.push_back(components.pin(mesh, part));
   return pinned;
 }
 

@@ -20,7 +20,7 @@ struct Numbering {
   Index n_equations = 0;
 };
 
-/// An arc is in the system where more than a twentieth of it lies in the fluid.
+/// A multiplier is in the system where more than a twentieth of its function lies in the fluid.
 Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
                           const Components& components);
 

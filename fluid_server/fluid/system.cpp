@@ -214,7 +214,7 @@ void System::check_closed_parts(const Residual& residual, const Vector& u) const
   for (const Index part : components_.of_boundary)
     if (part >= 0) has_side[part] = 1;
   for (Index part = 0; part < components_.n(); ++part) {
-    const Index v = space_.mesh.cell_vertices(components_.fullest[part])[0];
+    const Index v = components_.pin(space_.mesh, part);
     if (has_side[part] == 0 || numbering_.pressure[v] >= 0) continue;
     const Vec2 x = space_.mesh.vertices[v];
     require(

@@ -41,12 +41,7 @@ TEST(Embedded, taylor_couette_torque_converges_with_order_3_or_better) {
 
 /// DFG 2D-1 (Schäfer & Turek; paper section 5.1, eqs. 24–26) with the cylinder embedded.
 TEST(Embedded, dfg_2d_1_drag_and_lift_at_16_elements_a_diameter) {
-  auto s = settings(1, 1e-3,
-                    {{"left", velocity("4*0.3*y*(0.41-y)/0.41^2", "0")},
-                     {"right", open()},
-                     {"bottom", no_slip()},
-                     {"top", no_slip()}});
-  s.fluid.viscous_form = "gradient";
+  const Settings s = dfg_2d_1();
   const double h = 0.1 / 16;
   NavierStokes solver(make_rectangle(graded_lines(0, 2.2, 0.13, 0.3, h, 1.12, 0.06),
                                      graded_lines(0, 0.41, 0.12, 0.28, h, 1.1, 0.02)),

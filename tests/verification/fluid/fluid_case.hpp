@@ -48,6 +48,17 @@ inline Settings settings(double density, double viscosity,
   return s;
 }
 
+/// The channel of DFG 2D-1 (Schäfer & Turek; paper section 5.1), 2.2 × 0.41 m, with the references' open end.
+inline Settings dfg_2d_1() {
+  auto s = settings(1, 1e-3,
+                    {{"left", velocity("4*0.3*y*(0.41-y)/0.41^2", "0")},
+                     {"right", open()},
+                     {"bottom", no_slip()},
+                     {"top", no_slip()}});
+  s.fluid.viscous_form = "gradient";
+  return s;
+}
+
 inline Mesh square(int n, double lower = 0, double upper = 1) {
   return make_rectangle(uniform_lines(lower, upper, n), uniform_lines(lower, upper, n));
 }

@@ -47,12 +47,7 @@ inline Worst dfg_errors(int elements_per_diameter, int n_places) {
   refinements[1].size = 0.02;  // in the wake
   refinements[1].growth = 0.1;
   refinements[1].box = {0.1, 0.1, 0.6, 0.3};
-  auto s = settings(1, 1e-3,
-                    {{"left", velocity("4*0.3*y*(0.41-y)/0.41^2", "0")},
-                     {"right", open()},
-                     {"bottom", no_slip()},
-                     {"top", no_slip()}});
-  s.fluid.viscous_form = "gradient";
+  const Settings s = dfg_2d_1();
   Worst worst;
   Places random;
   for (int k = 0; k < n_places; ++k) {
