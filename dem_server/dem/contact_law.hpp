@@ -2,79 +2,97 @@
 /// Hertz with Tsuji's damping; tangential: Mindlin's stiffness with Coulomb's limit; rolling: spring, dashpot
 /// and limit. Discs touch by the same law as spheres of their radius.
 ///
-/// A pair of materials has 1/E* = Σ (1 − ν²)/E, 1/G* = Σ (2 − ν)/G, the geometric mean of the restitutions,
-/// and the smaller friction and rolling friction of the two.
+/// Real is double for one contact, Lanes for several at once; a Vector has three of them.
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
-#include "scene/dem.hpp"
+#include "core/lanes.hpp"
 
 namespace fpi::dem {
 
-using Vec3 = Eigen::Vector3d;
-
 /// What two materials make of a contact.
-struct PairLaw {
-  double normal_modulus = 0;    ///< E* [Pa]
-  double shear_modulus = 0;     ///< G* [Pa]
-  double damping_ratio = 0;     ///< ζ of the restitution asked for
-  double friction = 0;          ///< μ
-  double rolling_friction = 0;  ///< μ_r
+template <class Real>
+struct PairLawOf {
+  Real normal_modulus{};    ///< E* [Pa]
+  Real shear_modulus{};     ///< G* [Pa]
+  Real damping_ratio{};     ///< ζ of the restitution asked for
+  Real friction{};          ///< μ
+  Real rolling_friction{};  ///< μ_r
 };
-PairLaw combine(const scene::Material& a, const scene::Material& b);
+using PairLaw = PairLawOf<double>;
 
-/// The law of every pair of materials, by their indices.
-class LawTable {
- public:
-  explicit LawTable(const std::vector<scene::Material>& materials);
-  const PairLaw& operator()(std::size_t a, std::size_t b) const { return laws_[a * n_ + b]; }
-
- private:
-  std::size_t n_;
-  std::vector<PairLaw> laws_;
+/// Normal state of a contact.
+template <class Real>
+struct NormalOf {
+  Real mass;     ///< m* [kg]
+  Real radius;   ///< R* [m]
+  Real overlap;  ///< δ [m]
+  Real rate;     ///< dδ/dt [m/s]
 };
+using Normal = NormalOf<double>;
 
-/// Restitution of the damped Hertz contact with damping ratio ζ, at any speed. With s = δ^(5/4) as coordinate
-/// and a time stretched by δ^(-1/4) Tsuji's contact is a linear oscillator (Antypov & Elliott 2011). The
-/// contact ends when its force has fallen to zero, so it never pulls: e = exp(−2ζ acos ζ/√(1 − ζ²)), with
-/// acosh and ζ² − 1 where ζ > 1 (Schwager & Pöschel 2007 for the linear dashpot).
-double restitution(double damping_ratio);
-/// Its inverse, ζ(e) for 0 < e ≤ 1.
-double damping_ratio(double restitution);
+/// 4/3 E* √R* of F = k δ^(3/2) [N/m^(3/2)].
+template <class Real>
+Real hertz_stiffness(const PairLawOf<Real>& law, Real radius) {
+  return 4.0 / 3 * law.normal_modulus * sqrt(radius);
+}
 
-/// Duration t_c of an undamped impact [s]: 2.868266 (m*²/(R* E*² v))^(1/5); infinite at v = 0.
-double contact_time(double mass, double radius, double normal_modulus, double speed);
-
-/// Normal state of one contact.
-struct Normal {
-  double mass;     ///< m* [kg]
-  double radius;   ///< R* [m]
-  double overlap;  ///< δ [m]
-  double rate;     ///< dδ/dt [m/s]
-};
-
-/// Impact speed [m/s] with the energy of motion and compression that the contact has now.
-double equivalent_speed(const PairLaw& law, const Normal& contact);
+/// δ^(5/4), zero where there is no overlap.
+template <class Real>
+Real five_quarters(Real overlap) {
+  const Real compressed = max(overlap, Real{});
+  return compressed * sqrt(sqrt(compressed));
+}
 
 /// Normal force [N], never attractive: 4/3 E* √R* δ^(3/2) + √5 ζ √(m* 4/3 E* √R*) δ^(1/4) dδ/dt. The damping
 /// starts with infinite slope at δ = 0; it is averaged over the sub-step Δt [s] around now, for which it is
 /// the difference of 4/5 δ^(5/4) over its ends, so that the restitution does not depend on where in a
 /// sub-step the contact starts.
-double normal_force(const PairLaw& law, const Normal& contact, double sub_step);
+template <class Real>
+Real normal_force(const PairLawOf<Real>& law, const NormalOf<Real>& c, double sub_step) {
+  const Real k = hertz_stiffness(law, c.radius);
+  const Real compressed = max(c.overlap, Real{});
+  const Real elastic = k * compressed * sqrt(compressed);
+  const Real damping = sqrt(5 * c.mass * k) * law.damping_ratio;
+  const Real half = 0.5 * sub_step * c.rate;
+  const Real mean_rate = 0.8 * (five_quarters(c.overlap + half) - five_quarters(c.overlap - half)) / sub_step;
+  return max(elastic + damping * mean_rate, Real{});
+}
+
+/// Spring and dashpot along the surface or about the contact.
+template <class Real>
+struct SpringOf {
+  Real stiffness, damping;
+};
+using Spring = SpringOf<double>;
+
+/// Dashpot of a spring on an inertia, damped at the ratio of the normal contact.
+template <class Real>
+SpringOf<Real> damped(Real damping_ratio, Real stiffness, Real inertia) {
+  return {stiffness, 2 * std::sqrt(5.0 / 6) * damping_ratio * sqrt(stiffness * inertia)};
+}
+
+/// Mindlin's tangential stiffness 8 G* √(R* δ) [N/m].
+template <class Real>
+SpringOf<Real> tangential_spring(const PairLawOf<Real>& law, const NormalOf<Real>& c) {
+  return damped<Real>(law.damping_ratio, 8 * law.shear_modulus * sqrt(c.radius * c.overlap), c.mass);
+}
+
+/// Rolling stiffness k_t R*² [N m/rad]; `inertia` is that of the pair, as m* of masses [kg m²].
+template <class Real>
+SpringOf<Real> rolling_spring(const PairLawOf<Real>& law, const NormalOf<Real>& c,
+                              const SpringOf<Real>& tangential, Real inertia) {
+  return damped<Real>(law.damping_ratio, tangential.stiffness * c.radius * c.radius, inertia);
+}
 
 /// Force or moment of a spring and dashpot with a limit. Past the limit it slips, and `stretch` is shortened
 /// to what the limit carries.
-Vec3 stick_slip(double stiffness, double damping, double limit, const Vec3& rate, Vec3& stretch);
-
-/// Spring and dashpot along the surface or about the contact.
-struct Spring {
-  double stiffness, damping;
-};
-/// Mindlin's tangential stiffness 8 G* √(R* δ) [N/m], damped at the ratio of the normal contact.
-Spring tangential_spring(const PairLaw& law, const Normal& contact);
-/// Rolling stiffness k_t R*² [N m/rad]; `inertia` is that of the pair, as m* of masses [kg m²].
-Spring rolling_spring(const PairLaw& law, const Normal& contact, const Spring& tangential, double inertia);
+template <class Real, class Vector>
+Vector stick_slip(const SpringOf<Real>& spring, Real limit, const Vector& rate, Vector& stretch) {
+  const Vector trial = -spring.stiffness * stretch - spring.damping * rate;
+  const Real size = sqrt(trial.dot(trial));
+  const Real share = select(size > limit, limit / size, Real{} + 1);
+  stretch += (1 - share) / spring.stiffness * trial;
+  return share * trial;
+}
 
 }  // namespace fpi::dem

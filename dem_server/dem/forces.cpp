@@ -78,15 +78,14 @@ void add_friction(const Model& model, const Contact& contact, const PairLaw& law
   if (law.friction > 0) {
     follow(contact, stretch_time * contact.sliding(velocities.middle, velocities.middle_spin), memory.slip);
     const Vec3 rate = contact.sliding(velocities.now, velocities.now_spin);
-    contact.drag(stick_slip(tangential.stiffness, tangential.damping, law.friction * N, rate, memory.slip),
-                 forces);
+    contact.drag(stick_slip(tangential, law.friction * N, rate, memory.slip), forces);
   }
   if (law.rolling_friction > 0) {
     const Spring spring = rolling_spring(law, state, tangential, pair_inertia(model.bodies, contact));
     follow(contact, stretch_time * contact.rolling(velocities.middle_spin), memory.roll);
     const double limit = law.rolling_friction * state.radius * N;
     const Vec3 rate = contact.rolling(velocities.now_spin);
-    contact.twist(stick_slip(spring.stiffness, spring.damping, limit, rate, memory.roll), forces);
+    contact.twist(stick_slip(spring, limit, rate, memory.roll), forces);
   }
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dem/contact_law.hpp"
+#include "dem/materials.hpp"
 #include "dem/rotation.hpp"
 #include "scene/bodies.hpp"
 #include "scene/dem.hpp"

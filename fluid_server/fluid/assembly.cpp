@@ -10,10 +10,6 @@ namespace {
 constexpr double passing = 3;
 constexpr std::size_t most_curved_points = triangle_degree_6.size();
 
-/// Number `lane` of a value that holds one or several.
-double& part(double& value, int) { return value; }
-double& part(Lanes& value, int lane) { return reinterpret_cast<double*>(&value)[lane]; }
-
 /// Writes the nodal values of a cell into one lane of the state.
 template <class T>
 void take_values(const Mesh& mesh, Index cell, const Fields& fields, const TimeTerms& time,

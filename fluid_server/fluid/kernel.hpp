@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 
+#include "core/lanes.hpp"
 #include "fluid/element.hpp"
 
 namespace fpi::fluid {
@@ -17,10 +18,6 @@ struct Flow {
   double convection;  ///< factor of ρ (∇u)u: 1, or 0 for Stokes flow, or between on the way to a steady flow
   bool symmetric;     ///< 2μ ε(u):ε(w); else μ ∇u:∇w
 };
-
-/// One number of each of four elements; arithmetic acts on all four.
-typedef double Lanes __attribute__((vector_size(32)));
-inline constexpr int n_lanes = 4;
 
 /// Nodal values of an element, in the order of Mesh::cell_nodes.
 template <class T>

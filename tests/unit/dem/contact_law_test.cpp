@@ -1,5 +1,3 @@
-#include "dem/contact_law.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,12 +53,32 @@ TEST(ContactLaw, equivalent_speed_is_that_of_the_impact_all_along) {
 }
 
 TEST(ContactLaw, a_spring_past_its_limit_slips_and_keeps_what_the_limit_carries) {
+  const Vec3 rest = Vec3::Zero();
   Vec3 stretch(3e-3, 4e-3, 0);
-  const Vec3 stuck = stick_slip(1000, 0, 10, Vec3::Zero(), stretch);
+  const Vec3 stuck = stick_slip({1000, 0}, 10.0, rest, stretch);
   EXPECT_EQ(stuck, Vec3(-3, -4, 0));
-  const Vec3 slipping = stick_slip(1000, 0, 1, Vec3::Zero(), stretch);
+  const Vec3 slipping = stick_slip({1000, 0}, 1.0, rest, stretch);
   EXPECT_LT((slipping - Vec3(-0.6, -0.8, 0)).norm(), 1e-14);
   EXPECT_LT((stretch - Vec3(0.6e-3, 0.8e-3, 0)).norm(), 1e-17);
+}
+
+TEST(ContactLaw, four_contacts_at_once_have_what_each_has_alone) {
+  PairLawOf<Lanes> laws;
+  NormalOf<Lanes> states;
+  std::array<double, n_lanes> alone;
+  for (int i = 0; i < n_lanes; ++i) {
+    const PairLaw law = combine(material(1e9, 0.2, 0.2 + 0.2 * i), material(2e9, 0.3, 0.5));
+    const Normal state{.mass = 1.0 + i, .radius = 0.01, .overlap = 1e-6 * (i - 1), .rate = 1 - 0.6 * i};
+    alone[i] = normal_force(law, state, 1e-6);
+    part(laws.normal_modulus, i) = law.normal_modulus;
+    part(laws.damping_ratio, i) = law.damping_ratio;
+    part(states.mass, i) = state.mass;
+    part(states.radius, i) = state.radius;
+    part(states.overlap, i) = state.overlap;
+    part(states.rate, i) = state.rate;
+  }
+  const Lanes together = normal_force(laws, states, 1e-6);
+  for (int i = 0; i < n_lanes; ++i) EXPECT_NEAR(together[i], alone[i], 1e-12 * alone[i]) << i;
 }
 
 }  // namespace

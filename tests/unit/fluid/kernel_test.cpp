@@ -90,7 +90,7 @@ TEST(Kernel, four_elements_at_once_give_what_each_gives_alone) {
   const Flow flow{1.7, 0.3, 1, true};
   ElementState<Lanes> states{};
   Metric<Lanes> metrics{};
-  const auto put = [](Lanes& to, int lane, double value) { reinterpret_cast<double*>(&to)[lane] = value; };
+  const auto put = [](Lanes& to, int lane, double value) { part(to, lane) = value; };
   const Metric<double> metric = metric_of(triangle);
   for (int lane = 0; lane < n_lanes; ++lane) {
     const ElementState<double> one = state_of(random_values(lane), 2);
