@@ -11,29 +11,27 @@ namespace {
 
 constexpr double most_change = 0.1;  ///< of a gap in one sub-step
 
-GapShape shape_of(const Model& model, const Pair& pair) {
-  const double ratio = model.lubricant.radius_ratio, Ra = ratio * model.bodies.radius[pair.a];
-  const bool wall = pair.b >= model.bodies.size();
-  return gap_shape(Ra, wall ? std::numeric_limits<double>::infinity() : ratio * model.bodies.radius[pair.b]);
+GapShape shape_of(const Model& model, const Near& near) {
+  const double ratio = model.lubricant.radius_ratio, Ra = ratio * model.bodies.radius[near.a];
+  return gap_shape(
+      Ra, near.wall() ? std::numeric_limits<double>::infinity() : ratio * model.bodies.radius[near.b]);
 }
 
 /// The gap of the surfaces that the fluid sees.
-double film_gap(const Model& model, const Pair& pair, const Separation& contact) {
-  const bool wall = pair.b >= model.bodies.size();
-  const double sum = model.bodies.radius[pair.a] + (wall ? 0 : model.bodies.radius[pair.b]);
-  return contact.gap + (1 - model.lubricant.radius_ratio) * sum;
+double film_gap(const Model& model, const Near& near) {
+  const double sum = model.bodies.radius[near.a] + (near.wall() ? 0 : model.bodies.radius[near.b]);
+  return near.at.gap + (1 - model.lubricant.radius_ratio) * sum;
 }
 
-double roughness(const Model& model, const Pair& pair) {
-  const double Ra = model.bodies.radius[pair.a];
-  const double smaller = pair.b < model.bodies.size() ? std::min(Ra, model.bodies.radius[pair.b]) : Ra;
-  return model.lubricant.roughness * smaller;
+double roughness(const Model& model, const Near& near) {
+  const double Ra = model.bodies.radius[near.a];
+  return model.lubricant.roughness * (near.wall() ? Ra : std::min(Ra, model.bodies.radius[near.b]));
 }
 
 /// Below the roughness a film stays as it is there.
-Resistance unresolved_film(const Model& model, const Pair& pair, double gap, double resolved) {
-  return unresolved(model.plane ? disc_film : sphere_film, model.lubricant.viscosity, shape_of(model, pair),
-                    std::max(gap, roughness(model, pair)), resolved);
+Resistance unresolved_film(const Model& model, const Near& near, double gap, double resolved) {
+  return unresolved(model.plane ? disc_film : sphere_film, model.lubricant.viscosity, shape_of(model, near),
+                    std::max(gap, roughness(model, near)), resolved);
 }
 
 }  // namespace
@@ -46,60 +44,58 @@ Films::Films(const Model& model, std::span<const double> resolved_gaps)
   reach_ = *std::ranges::max_element(widest);
 }
 
-double Films::resolved_gap(const Pair& pair) const {
+double Films::resolved_gap(const Near& near) const {
   if (resolved_gaps_.empty()) return 0;
-  const double a = resolved_gaps_[pair.a];
-  return pair.b < model_.bodies.size() ? 0.5 * (a + resolved_gaps_[pair.b]) : a;
+  const double a = resolved_gaps_[near.a];
+  return near.wall() ? a : 0.5 * (a + resolved_gaps_[near.b]);
 }
 
-double Films::longest_step(const Motions& motions, const Forces& loads, const Neighbours& neighbours) const {
+double Films::longest_step(const State& state, const Forces& loads) const {
   double longest = std::numeric_limits<double>::infinity();
   if (reach_ == 0) return longest;
-  for (const Pair& pair : neighbours.pairs) {
-    const Separation contact = separation(model_, motions.position, pair);
-    const Normal state = normal_state(model_, pair, contact, motions.velocity);
-    const double gap = film_gap(model_, pair, contact), rough = roughness(model_, pair);
-    const double resolved = resolved_gap(pair),
-                 begin = resolved > 0 ? resolved : shape_of(model_, pair).radius;
+  each_near(model_, state, [&](const Near& near) {
+    const Normal normal = normal_state(model_, near, state.motions.velocity);
+    const double gap = film_gap(model_, near), rough = roughness(model_, near);
+    const double resolved = resolved_gap(near),
+                 begin = resolved > 0 ? resolved : shape_of(model_, near).radius;
     double way = most_change * std::max(rough, std::min(gap, begin));  // that changes the film by little
     if (gap > begin) way += gap - begin;
-    if (gap < rough) way = state.rate > 0 ? begin : way + rough - gap;
-    const double acceleration = std::abs(relative_acceleration(model_, loads, pair).dot(contact.normal));
-    const double c = unresolved_film(model_, pair, gap, resolved).normal, speed = std::abs(state.rate);
+    if (gap < rough) way = normal.rate > 0 ? begin : way + rough - gap;
+    const double acceleration = std::abs(relative_acceleration(model_, loads, near).dot(near.at.normal));
+    const double c = unresolved_film(model_, near, gap, resolved).normal, speed = std::abs(normal.rate);
     const double free = time_to_close(way, speed, acceleration);
-    longest = std::min(longest, c > 0 ? std::max(free, way / (speed + acceleration * state.mass / c)) : free);
-  }
+    longest =
+        std::min(longest, c > 0 ? std::max(free, way / (speed + acceleration * normal.mass / c)) : free);
+  });
   return longest;
 }
 
-void Films::place(const std::vector<Vec3>& position, const Neighbours& neighbours) {
+void Films::place(const State& state) {
   dampers_.clear();
   if (reach_ == 0) return;
-  for (const Pair& pair : neighbours.pairs) {
-    const Separation contact = separation(model_, position, pair);
-    const Resistance film =
-        unresolved_film(model_, pair, film_gap(model_, pair, contact), resolved_gap(pair));
-    if (film.normal > 0) add_dampers(pair, contact, film);
-  }
+  each_near(model_, state, [&](const Near& near) {
+    const Resistance film = unresolved_film(model_, near, film_gap(model_, near), resolved_gap(near));
+    if (film.normal > 0) add_dampers(near, film);
+  });
 }
 
 /// With the centres D apart the line of centres turns at ω_L = (v_b − v_a)·t/D about e = n × t; a wall is a
 /// body with an infinite radius, whose line of centres does not turn.
-void Films::add_dampers(const Pair& pair, const Separation& contact, const Resistance& film) {
-  const bool wall = pair.b >= model_.bodies.size();
-  const double ratio = model_.lubricant.radius_ratio, Ra = ratio * model_.bodies.radius[pair.a];
-  const double Rb = wall ? 0 : ratio * model_.bodies.radius[pair.b];
-  const double D = Ra / ratio + contact.gap + Rb / ratio;
+void Films::add_dampers(const Near& near, const Resistance& film) {
+  const bool wall = near.wall();
+  const double ratio = model_.lubricant.radius_ratio, Ra = ratio * model_.bodies.radius[near.a];
+  const double Rb = wall ? 0 : ratio * model_.bodies.radius[near.b];
+  const double D = Ra / ratio + near.at.gap + Rb / ratio;
   const auto join = [](const Vec3& velocity, const Vec3& spin) {
     return (Vec6() << velocity, spin).finished();
   };
-  const Vec3& n = contact.normal;
-  dampers_.push_back({pair, film.normal, join(n, Vec3::Zero()), join(-n, Vec3::Zero())});
+  const Vec3& n = near.at.normal;
+  dampers_.push_back({near.a, near.b, film.normal, join(n, Vec3::Zero()), join(-n, Vec3::Zero())});
   const auto add_along = [&](const Vec3& t) {
     const Vec3 e = n.cross(t);
     const Vec3 slide = (wall ? 1 : (Ra + Rb) / D) * t, roll = (wall ? -1 : (Ra - Rb) / D) * t;
-    dampers_.push_back({pair, film.sliding, join(slide, Ra * e), join(-slide, Rb * e)});
-    dampers_.push_back({pair, film.rolling, join(roll, Ra * e), join(-roll, -Rb * e)});
+    dampers_.push_back({near.a, near.b, film.sliding, join(slide, Ra * e), join(-slide, Rb * e)});
+    dampers_.push_back({near.a, near.b, film.rolling, join(roll, Ra * e), join(-roll, -Rb * e)});
   };
   const Vec3 t = model_.plane ? Vec3(-n.y(), n.x(), 0) : n.unitOrthogonal();
   add_along(t);

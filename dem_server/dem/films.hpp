@@ -5,8 +5,9 @@
 #include <Eigen/SparseCholesky>
 #include <span>
 
-#include "dem/forces.hpp"
+#include "dem/contact.hpp"
 #include "dem/lubrication_law.hpp"
+#include "dem/state.hpp"
 
 namespace fpi::dem {
 
@@ -18,10 +19,10 @@ class Films {
   /// The gap below which the widest film begins [m]; 0 where there are none.
   double reach() const { return reach_; }
   /// Time [s] in which no film changes by much, under constant `loads`; infinite where none is near.
-  double longest_step(const Motions& motions, const Forces& loads, const Neighbours& neighbours) const;
+  double longest_step(const State& state, const Forces& loads) const;
 
-  /// Finds the films at these places.
-  void place(const std::vector<Vec3>& position, const Neighbours& neighbours);
+  /// Finds the films where the bodies are now.
+  void place(const State& state);
   bool empty() const { return dampers_.empty(); }
   /// Gets ready to let them act for `duration` [s].
   void prepare(double duration);
@@ -32,18 +33,18 @@ class Films {
   using Vec6 = Eigen::Matrix<double, 6, 1>;  ///< of velocity and spin
   /// Resists c · (along_a · v_a + along_b · v_b), v the velocity and spin of a body. A wall has no v_b.
   struct Damper {
-    Pair pair;
+    std::uint32_t a, b;  ///< b = no_body at a wall
     double c;
     Vec6 along_a, along_b;
   };
-  double resolved_gap(const Pair& pair) const;
-  void add_dampers(const Pair& pair, const Separation& gap, const Resistance& film);
+  double resolved_gap(const Near& near) const;
+  void add_dampers(const Near& near, const Resistance& film);
   void number_bodies();
   /// Calls visit(body, along) for the bodies of a damper.
   template <class Visit>
   void each_body(const Damper& damper, Visit visit) const {
-    visit(damper.pair.a, damper.along_a);
-    if (damper.pair.b < model_.bodies.size()) visit(damper.pair.b, damper.along_b);
+    visit(damper.a, damper.along_a);
+    if (damper.b != no_body) visit(damper.b, damper.along_b);
   }
 
   const Model& model_;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dem/films.hpp"
+#include "dem/forces.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -18,6 +19,7 @@ class Integration {
   Integration(const Model& model, const Forces& loads, std::span<const double> resolved_gaps, State& state)
       : model_(model),
         loads_(loads),
+        state_(state),
         motions_(state.motions),
         neighbours_(state.neighbours),
         films_(model, resolved_gaps),
@@ -29,9 +31,9 @@ class Integration {
 
   Advanced run(double duration) {
     for (left_ = duration; left_ > 0 && outcome_.converged;) {
-      const Outlook ahead = look_ahead(model_, motions_, loads_, neighbours_, left_);
-      const double film_step = films_.longest_step(motions_, loads_, neighbours_);
-      films_.place(motions_.position, neighbours_);
+      const Outlook ahead = look_ahead(model_, state_, loads_, left_);
+      const double film_step = films_.longest_step(state_, loads_);
+      films_.place(state_);
       const bool flies = std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step;
       if (flies && films_.empty()) {
         fly(ahead, film_step);
@@ -51,7 +53,7 @@ class Integration {
     const double before_contact =
         std::isinf(ahead.free_time) ? ahead.free_time : ahead.free_time - ahead.contact_step;
     const double wanted = std::min({left_, before_contact, film_step, model_.largest_sub_step});
-    const double within_skin = time_within_skin(model_, motions_, loads_, neighbours_);
+    const double within_skin = time_within_skin(model_, state_, loads_);
     if (within_skin < wanted && neighbours_.origin != motions_.position) return search_neighbours();
     const double duration = std::min(wanted, within_skin);
     if (!is_affordable(left_ / duration)) return;
@@ -90,7 +92,7 @@ class Integration {
     films_.damp(motions_.velocity, motions_.spin);
     drift(dt);
     if (moved_beyond_skin()) search_neighbours();
-    films_.place(motions_.position, neighbours_);
+    films_.place(state_);
     films_.prepare(0.5 * dt);
     extrapolate(0.5 * dt);
     films_.damp(velocity_now_, spin_now_);
@@ -142,15 +144,15 @@ class Integration {
   void find_forces(double stretch_time, double dt) {
     forces_ = loads_;
     const Velocities velocities{motions_.velocity, motions_.spin, velocity_now_, spin_now_};
-    const ContactCount count =
-        add_contacts(model_, motions_.position, velocities, stretch_time, dt, neighbours_, forces_);
+    const ContactCount count = add_contacts(model_, motions_.position, velocities, stretch_time, dt,
+                                            neighbours_, state_.wall_contacts, forces_);
     forces_stand_ = true;
     outcome_.contacts = count.touching;
     outcome_.largest_overlap = std::max(outcome_.largest_overlap, count.largest_overlap);
-    if (count.too_deep) {
+    if (!count.too_deep.empty()) {
       stop(fmt::format(
           "{} overlap by more than a radius: take a shorter time step, or a larger youngs_modulus",
-          names(model_, *count.too_deep)));
+          count.too_deep));
     }
   }
 
@@ -166,7 +168,7 @@ class Integration {
   void search_neighbours() {
     check_finite();
     if (!outcome_.converged) return;
-    search(model_, motions_.position, films_.reach(), neighbours_);
+    find_neighbours(model_, films_.reach(), state_);
     ++outcome_.searches;
   }
 
@@ -189,6 +191,7 @@ class Integration {
 
   const Model& model_;
   const Forces& loads_;
+  State& state_;
   Motions& motions_;
   Neighbours& neighbours_;
   Films films_;

@@ -90,14 +90,13 @@ std::vector<Pair> near_pairs(const Model& model, const std::vector<Vec3>& positi
   for (std::uint32_t i = 0; i < n; ++i) {
     const auto add_if_near = [&](std::uint32_t j) {
       const Pair pair{i, j};
-      const bool moves = bodies.is_free(i) || (j < n && bodies.is_free(j));
+      const bool moves = bodies.is_free(i) || bodies.is_free(j);
       if (moves && separation(model, position, pair).gap <= widest_gap) pairs.push_back(pair);
     };
     const std::size_t first = pairs.size();
     grid.around(position[i], [&](std::uint32_t j) {
       if (j > i) add_if_near(j);
     });
-    for (std::uint32_t w = 0; w < model.walls.size(); ++w) add_if_near(n + w);
     std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end());
   }
   return pairs;
@@ -110,35 +109,17 @@ bool lists_every_pair(const Bodies& bodies) { return bodies.size() <= few; }
 void search(const Model& model, const std::vector<Vec3>& position, double reach, Neighbours& neighbours) {
   neighbours.skin = choose_skin(model.bodies);
   neighbours.reach = reach;
-  std::vector<Pair> pairs = near_pairs(model, position, reach + neighbours.skin);
-  std::vector<Memory> memories(pairs.size());
-  std::size_t old = 0;
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    while (old < neighbours.pairs.size() && neighbours.pairs[old] < pairs[p]) ++old;
-    if (old < neighbours.pairs.size() && neighbours.pairs[old] == pairs[p])
-      memories[p] = neighbours.memories[old];
-  }
-  neighbours.pairs = std::move(pairs);
-  neighbours.memories = std::move(memories);
+  neighbours.replace(near_pairs(model, position, neighbours.widest_gap()));
   neighbours.origin = position;
 }
 
-void forget_search(Neighbours& neighbours) {
-  std::size_t kept = 0;
-  for (std::size_t p = 0; p < neighbours.pairs.size(); ++p) {
-    if (neighbours.memories[p].empty()) continue;
-    neighbours.pairs[kept] = neighbours.pairs[p];
-    neighbours.memories[kept++] = neighbours.memories[p];
-  }
-  neighbours.pairs.resize(kept);
-  neighbours.memories.resize(kept);
-  neighbours.origin.clear();
+Near near(const Model& model, const std::vector<Vec3>& position, const Pair& pair) {
+  return {pair.a, pair.b, separation(model, position, pair),
+          model.laws(model.bodies.material[pair.a], model.bodies.material[pair.b])};
 }
 
 std::string names(const Model& model, const Pair& pair) {
-  const std::size_t n = model.bodies.size();
-  const std::string& other = pair.b < n ? model.bodies.name[pair.b] : model.walls[pair.b - n].name;
-  return model.bodies.name[pair.a] + " and " + other;
+  return model.bodies.name[pair.a] + " and " + model.bodies.name[pair.b];
 }
 
 }  // namespace fpi::dem

@@ -9,12 +9,13 @@ namespace {
 
 constexpr double allowed_overlap = 0.01;  ///< at the start, of a radius
 
-void check_overlaps(const Model& model, const State& state) {
-  for (const Pair& pair : state.neighbours.pairs) {
-    const double gap = separation(model, state.motions.position, pair).gap;
-    require(gap > -allowed_overlap * model.bodies.radius[pair.a],
-            "bodies must not overlap at the start; got {} m between {}: move one of them", -gap,
-            names(model, pair));
+template <class Place>
+void check_overlaps(const Model& model, const std::vector<Vec3>& position, const std::vector<Place>& places) {
+  for (const Place& place : places) {
+    const Near here = near(model, position, place);
+    require(here.at.gap > -allowed_overlap * model.bodies.radius[here.a],
+            "bodies must not overlap at the start; got {} m between {}: move one of them", -here.at.gap,
+            names(model, place));
   }
 }
 
@@ -35,8 +36,9 @@ void check_resolved_gaps(const Model& model, std::span<const double> gaps) {
 
 Solver::Solver(const Problem& problem) : model_(make_model(problem)) {
   accepted_.motions = initial_motions(problem);
-  search(model_, accepted_.motions.position, 0, accepted_.neighbours);
-  check_overlaps(model_, accepted_);
+  find_neighbours(model_, 0, accepted_);
+  check_overlaps(model_, accepted_.motions.position, accepted_.neighbours.places);
+  check_overlaps(model_, accepted_.motions.position, accepted_.wall_contacts.places);
   restore();
 }
 
@@ -100,7 +102,7 @@ void Solver::finish_prescribed(std::span<const Prescribed> prescribed) {
 }
 
 std::vector<std::uint8_t> Solver::checkpoint() {
-  forget_search(accepted_.neighbours);
+  forget_search(accepted_);
   restore();
   return to_bytes(accepted_);
 }

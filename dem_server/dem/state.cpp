@@ -7,9 +7,9 @@
 namespace fpi::dem {
 namespace {
 
-constexpr std::uint64_t magic = 0x31534d4544495046;  // "FPIDEMS1"
+constexpr std::uint64_t magic = 0x32534d4544495046;  // "FPIDEMS2"
 constexpr std::size_t body_size = 13 * sizeof(double);
-constexpr std::size_t pair_size = 2 * sizeof(std::uint32_t) + 6 * sizeof(double);
+constexpr std::size_t contact_size = 2 * sizeof(std::uint32_t) + 6 * sizeof(double);
 
 class Writer : public ByteWriter {
  public:
@@ -17,6 +17,16 @@ class Writer : public ByteWriter {
   void put(const Vec3& v) { put(std::span<const double>(v.data(), 3)); }
   void put(const Quaternion& q) {
     for (const double value : {q.w(), q.x(), q.y(), q.z()}) put(value);
+  }
+  template <class Place>
+  void put(const ContactList<Place>& list) {
+    for (std::size_t p = 0; p < list.places.size(); ++p) {
+      const auto [a, b] = list.places[p];
+      put(a);
+      put(b);
+      put(list.memories[p].slip);
+      put(list.memories[p].roll);
+    }
   }
 };
 
@@ -35,6 +45,19 @@ class Reader : public ByteReader {
             q.norm());
     return q;
   }
+  /// `count` contacts of a body below `n_first` and another or a wall below `n_second`, in order.
+  template <class Place>
+  void contacts(std::uint64_t count, std::size_t n_first, std::size_t n_second, ContactList<Place>& list) {
+    for (std::size_t p = 0; p < count; ++p) {
+      const auto a = get<std::uint32_t>(), b = get<std::uint32_t>();
+      list.places.push_back({a, b});
+      require(a < n_first && b < n_second && (p == 0 || list.places[p - 1] < list.places[p]),
+              "the DEM's state has a contact {} of {} and {} that cannot be: take another checkpoint", p, a,
+              b);
+      const Vec3 slip = vector(), roll = vector();
+      list.memories.push_back({slip, roll});
+    }
+  }
 };
 
 void check_plane(const Model& model, const Motions& motions) {
@@ -45,51 +68,53 @@ void check_plane(const Model& model, const Motions& motions) {
   }
 }
 
-void check_pairs(const Model& model, const std::vector<Pair>& pairs) {
-  const std::size_t n = model.bodies.size();
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    const auto [a, b] = pairs[p];
-    require(a < n && a < b && b < n + model.walls.size() && (p == 0 || pairs[p - 1] < pairs[p]),
-            "the DEM's state has a contact {} of bodies {} and {} that cannot be: take another checkpoint", p,
-            a, b);
-  }
+}  // namespace
+
+void find_neighbours(const Model& model, double reach, State& state) {
+  search(model, state.motions.position, reach, state.neighbours);
+  search_walls(model, state.motions.position, state.neighbours.widest_gap(), state.wall_contacts);
 }
 
-}  // namespace
+void forget_search(State& state) {
+  state.neighbours.keep_remembered();
+  state.wall_contacts.keep_remembered();
+  state.neighbours.origin.clear();
+}
 
 std::vector<std::uint8_t> to_bytes(const State& state) {
   Writer write;
   const Motions& motions = state.motions;
-  const std::size_t n = motions.position.size(), n_pairs = state.neighbours.pairs.size();
-  write.bytes.reserve(3 * sizeof(std::uint64_t) + n * body_size + n_pairs * pair_size);
+  const std::size_t n = motions.position.size();
+  const std::size_t n_pairs = state.neighbours.places.size(), n_walls = state.wall_contacts.places.size();
+  write.bytes.reserve(4 * sizeof(std::uint64_t) + n * body_size + (n_pairs + n_walls) * contact_size);
   write.put(magic);
   write.put(std::uint64_t{n});
   write.put(std::uint64_t{n_pairs});
+  write.put(std::uint64_t{n_walls});
   for (std::size_t i = 0; i < n; ++i) {
     write.put(motions.position[i]);
     write.put(motions.orientation[i].base);
     write.put(motions.velocity[i]);
     write.put(motions.spin[i]);
   }
-  for (std::size_t p = 0; p < n_pairs; ++p) {
-    write.put(state.neighbours.pairs[p].a);
-    write.put(state.neighbours.pairs[p].b);
-    write.put(state.neighbours.memories[p].slip);
-    write.put(state.neighbours.memories[p].roll);
-  }
+  write.put(state.neighbours);
+  write.put(state.wall_contacts);
   return std::move(write.bytes);
 }
 
 State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
   Reader read(bytes);
   require(read.get<std::uint64_t>() == magic, "a state of this DEM is required; got other bytes");
-  const auto n = read.get<std::uint64_t>(), n_pairs = read.get<std::uint64_t>();
+  const auto n = read.get<std::uint64_t>();
+  const auto n_pairs = read.get<std::uint64_t>(), n_walls = read.get<std::uint64_t>();
   require(n == model.bodies.size(),
           "a state of {} bodies is required; got {}: resume the scene it was written by", model.bodies.size(),
           n);
-  require(n_pairs <= read.left() / pair_size && read.left() == n * body_size + n_pairs * pair_size,
-          "a DEM state of {} bodies and {} contacts has another length than the {} bytes that came", n,
-          n_pairs, bytes.size());
+  const std::uint64_t most = read.left() / contact_size;
+  require(
+      n_pairs <= most && n_walls <= most && read.left() == n * body_size + (n_pairs + n_walls) * contact_size,
+      "a DEM state of {} bodies and {} contacts has another length than the {} bytes that came", n,
+      n_pairs + n_walls, bytes.size());
   State state;
   for (std::size_t i = 0; i < n; ++i) {
     state.motions.position.push_back(read.vector());
@@ -97,14 +122,11 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
     state.motions.velocity.push_back(read.vector());
     state.motions.spin.push_back(read.vector());
   }
-  for (std::size_t p = 0; p < n_pairs; ++p) {
-    const auto a = read.get<std::uint32_t>(), b = read.get<std::uint32_t>();
-    state.neighbours.pairs.push_back({a, b});
-    const Vec3 slip = read.vector(), roll = read.vector();
-    state.neighbours.memories.push_back({slip, roll});
-  }
+  read.contacts(n_pairs, n, n, state.neighbours);
+  read.contacts(n_walls, n, model.walls.size(), state.wall_contacts);
+  for (const Pair& pair : state.neighbours.places)
+    require(pair.a < pair.b, "the DEM's state has a pair {} and {} that is out of order", pair.a, pair.b);
   if (model.plane) check_plane(model, state.motions);
-  check_pairs(model, state.neighbours.pairs);
   return state;
 }
 

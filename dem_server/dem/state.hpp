@@ -6,14 +6,29 @@
 #include <span>
 #include <vector>
 
-#include "dem/neighbours.hpp"
+#include "dem/wall_contacts.hpp"
 
 namespace fpi::dem {
 
 struct State {
   Motions motions;
   Neighbours neighbours;
+  WallContacts wall_contacts;
 };
+
+/// Lists what may touch, bodies and walls, where the bodies are now; `reach` [m] as of search.
+void find_neighbours(const Model& model, double reach, State& state);
+
+/// Keeps only contacts with a memory and makes a search due: what a resumed run starts from.
+void forget_search(State& state);
+
+/// Calls visit(near) for every pair and every wall that a body is near.
+template <class Visit>
+void each_near(const Model& model, const State& state, Visit visit) {
+  const auto& position = state.motions.position;
+  for (const Pair& pair : state.neighbours.places) visit(near(model, position, pair));
+  for (const WallPlace& place : state.wall_contacts.places) visit(near(model, position, place));
+}
 
 /// A state whose search was forgotten, as bytes.
 std::vector<std::uint8_t> to_bytes(const State& state);

@@ -10,13 +10,12 @@ namespace {
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// v_a − v_b of a vector that bodies have, v_a at a wall.
-Vec3 relative(const std::vector<Vec3>& v, const Pair& pair) {
-  return pair.b < v.size() ? Vec3(v[pair.a] - v[pair.b]) : v[pair.a];
+Vec3 relative(const std::vector<Vec3>& v, const Near& near) {
+  return near.wall() ? v[near.a] : Vec3(v[near.a] - v[near.b]);
 }
 
-/// Sub-step of a pair that meets with `speed` [m/s]; damping above ζ = 1 is stiffer than the spring.
-double contact_step(const Model& model, const Pair& pair, Normal state, double speed) {
-  const PairLaw& law = law_of(model, pair);
+/// Sub-step of two surfaces that meet with `speed` [m/s]; damping above ζ = 1 is stiffer than the spring.
+double contact_step(const Model& model, const PairLaw& law, Normal state, double speed) {
   state.rate = speed;
   const double t_c = contact_time(state.mass, state.radius, law.normal_modulus, equivalent_speed(law, state));
   return t_c / (model.steps_per_contact * std::max(1.0, law.damping_ratio));
@@ -24,10 +23,10 @@ double contact_step(const Model& model, const Pair& pair, Normal state, double s
 
 }  // namespace
 
-Vec3 relative_acceleration(const Model& model, const Forces& loads, const Pair& pair) {
+Vec3 relative_acceleration(const Model& model, const Forces& loads, const Near& near) {
   const auto& w = model.bodies.inverse_mass;
-  const Vec3 a = w[pair.a] * loads.force[pair.a];
-  return pair.b < model.bodies.size() ? Vec3(a - w[pair.b] * loads.force[pair.b]) : a;
+  const Vec3 a = w[near.a] * loads.force[near.a];
+  return near.wall() ? a : Vec3(a - w[near.b] * loads.force[near.b]);
 }
 
 double time_to_close(double gap, double closing, double acceleration) {
@@ -38,26 +37,25 @@ double time_to_close(double gap, double closing, double acceleration) {
   return acceleration > 0 ? (std::sqrt(discriminant) - closing) / acceleration : never;
 }
 
-Outlook look_ahead(const Model& model, const Motions& motions, const Forces& loads,
-                   const Neighbours& neighbours, double horizon) {
+Outlook look_ahead(const Model& model, const State& state, const Forces& loads, double horizon) {
   Outlook outlook{never, never};
-  for (const Pair& pair : neighbours.pairs) {
-    const Separation gap = separation(model, motions.position, pair);
-    const Normal state = normal_state(model, pair, gap, motions.velocity);
-    const Vec3 acceleration = relative_acceleration(model, loads, pair);
-    const double meeting = time_to_close(gap.gap, state.rate, acceleration.dot(gap.normal));
-    if (std::isinf(meeting)) continue;
-    const double speed = relative(motions.velocity, pair).norm() + acceleration.norm() * horizon;
-    const double step = contact_step(model, pair, state, speed);
-    if (meeting >= horizon + step) continue;
+  const auto& velocity = state.motions.velocity;
+  each_near(model, state, [&](const Near& near) {
+    const Normal normal = normal_state(model, near, velocity);
+    const Vec3 acceleration = relative_acceleration(model, loads, near);
+    const double meeting = time_to_close(near.at.gap, normal.rate, acceleration.dot(near.at.normal));
+    if (std::isinf(meeting)) return;
+    const double speed = relative(velocity, near).norm() + acceleration.norm() * horizon;
+    const double step = contact_step(model, near.law, normal, speed);
+    if (meeting >= horizon + step) return;
     outlook.free_time = std::min(outlook.free_time, meeting);
     outlook.contact_step = std::min(outlook.contact_step, step);
-  }
+  });
   return outlook;
 }
 
-double time_within_skin(const Model& model, const Motions& motions, const Forces& loads,
-                        const Neighbours& neighbours) {
+double time_within_skin(const Model& model, const State& state, const Forces& loads) {
+  const auto& [motions, neighbours, walls] = state;
   if (std::isinf(neighbours.skin)) return never;
   double time = never;
   for (std::size_t i = 0; i < motions.position.size(); ++i) {

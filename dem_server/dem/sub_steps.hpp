@@ -2,7 +2,8 @@
 /// sub-steps out of the Hertz contact time of the stiffest pair that can touch.
 #pragma once
 
-#include "dem/forces.hpp"
+#include "dem/contact.hpp"
+#include "dem/state.hpp"
 
 namespace fpi::dem {
 
@@ -13,15 +14,13 @@ struct Outlook {
 };
 
 /// Looks ahead by `horizon` [s] from the current motions under the constant `loads`.
-Outlook look_ahead(const Model& model, const Motions& motions, const Forces& loads,
-                   const Neighbours& neighbours, double horizon);
+Outlook look_ahead(const Model& model, const State& state, const Forces& loads, double horizon);
 
 /// Time [s] for which no body moves farther than half the skin from where the last search found it.
-double time_within_skin(const Model& model, const Motions& motions, const Forces& loads,
-                        const Neighbours& neighbours);
+double time_within_skin(const Model& model, const State& state, const Forces& loads);
 
 /// Of a against b, or against a wall, that constant loads make [m/s²].
-Vec3 relative_acceleration(const Model& model, const Forces& loads, const Pair& pair);
+Vec3 relative_acceleration(const Model& model, const Forces& loads, const Near& near);
 
 /// First t ≥ 0 [s] at which gap − closing t − ½ acceleration t² is zero, infinite where it never is. The
 /// surfaces of two spheres, or of a sphere and a plane, cannot meet before: their distance is at least its

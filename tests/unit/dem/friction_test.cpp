@@ -62,7 +62,7 @@ TEST(Friction, a_push_below_the_limit_stretches_the_spring_by_force_over_stiffne
   const double push = 0.4 * 0.5 * weight;
   const Load load{.body = 0, .force = {push, 0, 0}, .torque = {0, 0, 0.01 * push}};
   for (int i = 0; i < 200; ++i) step(solver, 1e-3, std::span(&load, 1));
-  const PairLaw& law = law_of(solver.model(), {0, 1});
+  const PairLaw& law = solver.model().laws(0, 0);
   const double overlap = 0.01 - solver.motions().position[0].y();
   const double stiffness = 8 * law.shear_modulus * std::sqrt(0.01 * overlap);
   const double surface = solver.motions().position[0].x() +

@@ -19,14 +19,18 @@ struct Impact {
   double restitution = 0;
 };
 
-/// Follows the first pair of a set-up over 1.5 of its contact time t_c [s], in sub-steps of t_c/50.
+/// Follows the first pair, or the body and the wall, of a set-up over 1.5 of its contact time t_c [s], in
+/// sub-steps of t_c/50.
 Impact follow(const Problem& problem, double t_c) {
   Solver solver(problem);
   const Motions& motions = solver.motions();
-  const Pair pair{0, 1};
+  const Model& model = solver.model();
   const auto state = [&] {
-    return normal_state(solver.model(), pair, separation(solver.model(), motions.position, pair),
-                        motions.velocity);
+    const bool wall = model.bodies.size() == 1;
+    return normal_state(
+        model,
+        wall ? near(model, motions.position, WallPlace{0, 0}) : near(model, motions.position, Pair{0, 1}),
+        motions.velocity);
   };
   const double dt = t_c / 50 * (1 - 1e-9);
   const Normal start = state();
@@ -36,7 +40,7 @@ Impact follow(const Problem& problem, double t_c) {
     const double overlap_before = state().overlap;
     impact.peak_overlap = std::max(impact.peak_overlap, test::step(solver, dt).largest_overlap);
     const Normal now = state();
-    const double force = solver.model().bodies.mass[0] * (motions.velocity[0] - velocity_before).norm() / dt;
+    const double force = model.bodies.mass[0] * (motions.velocity[0] - velocity_before).norm() / dt;
     impact.peak_force = std::max(impact.peak_force, force);
     const bool parted = overlap_before > 0 && now.overlap <= 0;
     if (parted) impact.duration = i * dt - now.overlap / now.rate + start.overlap / start.rate;

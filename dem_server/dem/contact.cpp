@@ -1,0 +1,123 @@
+#include "dem/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fpi::dem {
+namespace {
+
+/// Arms from the centres to the contact. Two bodies share the overlap, so that their
+/// angular momentum is kept exactly; a wall takes the whole radius, so that rolling is v = ωR however soft
+/// the contact.
+struct Contact {
+  std::uint32_t a, b;
+  Vec3 normal;
+  bool wall;
+  double arm_a, arm_b;  ///< [m]
+
+  Contact(const Model& model, const Near& near)
+      : a(near.a),
+        b(near.b),
+        normal(near.at.normal),
+        wall(near.wall()),
+        arm_a(model.bodies.radius[a] + (wall ? 0 : 0.5 * near.at.gap)),
+        arm_b(wall ? 0 : model.bodies.radius[b] + 0.5 * near.at.gap) {}
+
+  /// Velocity of a's surface over b's, along the surface [m/s].
+  Vec3 sliding(const std::vector<Vec3>& velocity, const std::vector<Vec3>& spin) const {
+    Vec3 v = velocity[a], w = arm_a * spin[a];
+    if (!wall) {
+      v -= velocity[b];
+      w += arm_b * spin[b];
+    }
+    return along(v) + w.cross(normal);
+  }
+  /// Spin of a over b without the twist about the normal [rad/s].
+  Vec3 rolling(const std::vector<Vec3>& spin) const {
+    return along(wall ? spin[a] : Vec3(spin[a] - spin[b]));
+  }
+  Vec3 along(const Vec3& v) const { return v - v.dot(normal) * normal; }
+
+  /// `force` on a and its opposite on b: pressed along the normal it has no moment, dragged along the surface
+  /// it has.
+  void press(const Vec3& force, Forces& forces) const {
+    forces.force[a] += force;
+    if (!wall) forces.force[b] -= force;
+  }
+  void drag(const Vec3& force, Forces& forces) const {
+    press(force, forces);
+    const Vec3 moment = normal.cross(force);
+    forces.torque[a] += arm_a * moment;
+    if (!wall) forces.torque[b] += arm_b * moment;
+  }
+  void twist(const Vec3& moment, Forces& forces) const {
+    forces.torque[a] += moment;
+    if (!wall) forces.torque[b] -= moment;
+  }
+};
+
+/// Turns a spring into the contact's plane as it is now, without changing its length, and stretches it.
+void follow(const Contact& contact, const Vec3& stretched, Vec3& spring) {
+  const double length = spring.norm();
+  if (length > 0) {
+    spring = contact.along(spring);
+    const double left = spring.norm();
+    if (left > 0) spring *= length / left;
+  }
+  spring += stretched;
+}
+
+double pair_inertia(const Bodies& bodies, const Contact& contact) {
+  const double b = contact.wall ? 0 : bodies.inverse_inertia[contact.b];
+  return 1 / (bodies.inverse_inertia[contact.a] + b);
+}
+
+void add_friction(const Model& model, const Contact& contact, const PairLaw& law, const Normal& state,
+                  double N, const Velocities& velocities, double stretch_time, Memory& memory,
+                  Forces& forces) {
+  const Spring tangential = tangential_spring(law, state);
+  if (law.friction > 0) {
+    follow(contact, stretch_time * contact.sliding(velocities.middle, velocities.middle_spin), memory.slip);
+    const Vec3 rate = contact.sliding(velocities.now, velocities.now_spin);
+    contact.drag(stick_slip(tangential, law.friction * N, rate, memory.slip), forces);
+  }
+  if (law.rolling_friction > 0) {
+    const Spring spring = rolling_spring(law, state, tangential, pair_inertia(model.bodies, contact));
+    follow(contact, stretch_time * contact.rolling(velocities.middle_spin), memory.roll);
+    const double limit = law.rolling_friction * state.radius * N;
+    const Vec3 rate = contact.rolling(velocities.now_spin);
+    contact.twist(stick_slip(spring, limit, rate, memory.roll), forces);
+  }
+}
+
+}  // namespace
+
+Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3>& velocity) {
+  const Bodies& bodies = model.bodies;
+  const auto& [normal, gap] = near.at;
+  const double Ra = bodies.radius[near.a];
+  if (near.wall()) return {bodies.mass[near.a], Ra, -gap, velocity[near.a].dot(normal)};
+  const double Rb = bodies.radius[near.b];
+  return {1 / (bodies.inverse_mass[near.a] + bodies.inverse_mass[near.b]), Ra * Rb / (Ra + Rb), -gap,
+          (velocity[near.a] - velocity[near.b]).dot(normal)};
+}
+
+bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
+                 Memory& memory, Forces& forces) {
+  if (near.at.gap > sub_step.reach) {
+    if (!memory.empty()) memory = Memory{};
+    return false;
+  }
+  const Contact contact(model, near);
+  const Normal state = normal_state(model, near, velocities.now);
+  const double N = normal_force(near.law, state, sub_step.duration);
+  contact.press(-N * near.at.normal, forces);
+  if (state.overlap > 0 && N > 0) {
+    add_friction(model, contact, near.law, state, N, velocities, sub_step.stretch_time, memory, forces);
+  } else {
+    memory = Memory{};
+  }
+  return state.overlap > 0;
+}
+
+}  // namespace fpi::dem

@@ -1,0 +1,66 @@
+/// One touching place: how two surfaces move over each other, and the forces and moments that come of it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dem/neighbours.hpp"
+
+namespace fpi::dem {
+
+struct Forces {
+  std::vector<Vec3> force;   ///< [N]
+  std::vector<Vec3> torque;  ///< [N m] about the centre
+};
+
+/// What an evaluation of the contacts met.
+struct ContactCount {
+  std::uint64_t touching = 0;
+  double largest_overlap = 0;  ///< [m]
+  std::string too_deep;  ///< who overlap beyond a radius: the step was too long, or a body came from outside
+};
+
+/// Velocities that the contacts see: at the middle of the last sub-step for what their springs have stretched
+/// by, and extrapolated to now for what their dashpots feel.
+struct Velocities {
+  const std::vector<Vec3>& middle;       ///< [m/s]
+  const std::vector<Vec3>& middle_spin;  ///< [rad/s]
+  const std::vector<Vec3>& now;
+  const std::vector<Vec3>& now_spin;
+};
+
+/// The sub-step that contacts are evaluated at the end of.
+struct SubStep {
+  double stretch_time;  ///< [s] that springs have stretched for at the middle velocities
+  double duration;      ///< [s] that the normal damping is averaged over
+  double reach;         ///< [m] the gap that nothing closes within half of it: damping acts from the half in
+                        ///< which the surfaces meet
+};
+
+/// Effective mass m* and radius R* of two surfaces, with their overlap and the rate at which it grows with
+/// `velocity`.
+Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3>& velocity);
+
+/// Adds the force and moments of one place to `forces`. True where it touches.
+bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
+                 Memory& memory, Forces& forces);
+
+/// Adds every place of a list: near(model, position, place) says where its surfaces are, names(model, place)
+/// whose they are.
+template <class Place>
+void add_list(const Model& model, const std::vector<Vec3>& position, const Velocities& velocities,
+              const SubStep& sub_step, ContactList<Place>& list, Forces& forces, ContactCount& count) {
+  for (std::size_t p = 0; p < list.places.size(); ++p) {
+    const Near here = near(model, position, list.places[p]);
+    if (!add_contact(model, here, velocities, sub_step, list.memories[p], forces)) continue;
+    const double R = model.bodies.radius[here.a], overlap = -here.at.gap;
+    ++count.touching;
+    count.largest_overlap = std::max(count.largest_overlap, overlap);
+    if (overlap >= (here.wall() ? R : std::min(R, model.bodies.radius[here.b])))
+      count.too_deep = names(model, list.places[p]);
+  }
+}
+
+}  // namespace fpi::dem

@@ -1,0 +1,50 @@
+/// Places that may touch, each with the memory of its contact (springs), which stays with it through
+/// searches, rollback and checkpoints.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dem/rotation.hpp"
+
+namespace fpi::dem {
+
+/// What a contact remembers; zero while it does not touch.
+struct Memory {
+  Vec3 slip = Vec3::Zero();  ///< stretch of the tangential spring [m]
+  Vec3 roll = Vec3::Zero();  ///< stretch of the rolling spring [rad]
+  bool empty() const { return slip.isZero(0) && roll.isZero(0); }
+};
+
+/// `Place` says who touches whom.
+template <class Place>
+struct ContactList {
+  std::vector<Place> places;     ///< in ascending order, so that sums do not depend on when the search was
+  std::vector<Memory> memories;  ///< of each place
+
+  /// Takes up what a search found; memories stay with their places.
+  void replace(std::vector<Place> found) {
+    std::vector<Memory> carried(found.size());
+    std::size_t old = 0;
+    for (std::size_t p = 0; p < found.size(); ++p) {
+      while (old < places.size() && places[old] < found[p]) ++old;
+      if (old < places.size() && places[old] == found[p]) carried[p] = memories[old];
+    }
+    places = std::move(found);
+    memories = std::move(carried);
+  }
+
+  /// Keeps only places with a memory: what a resumed run starts from.
+  void keep_remembered() {
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      if (memories[p].empty()) continue;
+      places[kept] = places[p];
+      memories[kept++] = memories[p];
+    }
+    places.resize(kept);
+    memories.resize(kept);
+  }
+};
+
+}  // namespace fpi::dem
