@@ -1,0 +1,123 @@
+/// Time, memory and contacts of the grains' sub-steps for a packing that other programs can read too:
+///   grains_bench PACKING.csv SUB_STEPS DT [--discs] [--gravity G] [--box X0,X1,Y0,Y1,Z0,Z1]
+/// The packing has a line "x,y,z,radius" [m] for each grain, and "vx,vy,vz" [m/s] after it where it moves;
+/// the box has walls where its bounds are finite. Prints JSON.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "dem/solver.hpp"
+
+using namespace fpi;
+
+namespace {
+
+constexpr double density = 2500;       // [kg/m³]
+constexpr double discs_thickness = 1;  // [m]
+
+std::vector<double> numbers(const std::string& text) {
+  std::vector<double> values;
+  std::stringstream line(text);
+  for (std::string entry; std::getline(line, entry, ',');) values.push_back(std::stod(entry));
+  return values;
+}
+
+std::vector<scene::Body> read_packing(const std::string& path, bool discs) {
+  std::ifstream file(path);
+  require(file.good(), "a packing is required: cannot read {}", path);
+  std::vector<scene::Body> bodies;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || std::isalpha(line[0])) continue;
+    const std::vector<double> v = numbers(line);
+    require(v.size() == 4 || v.size() == 7,
+            "a packing must have lines x,y,z,radius[,vx,vy,vz]; got \"{}\" in {}", line, path);
+    scene::Body body;
+    body.shape = discs ? "disc" : "sphere";
+    body.radius = v[3];
+    body.density = density;
+    const std::ptrdiff_t axes = discs ? 2 : 3;
+    body.position.assign(v.begin(), v.begin() + axes);
+    body.velocity.assign(axes, 0);
+    body.spin.assign(discs ? 1 : 3, 0);
+    if (v.size() == 7) body.velocity.assign(v.begin() + 4, v.begin() + 4 + axes);
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+/// A wall at each finite bound of the box.
+std::vector<scene::Wall> make_walls(const std::vector<double>& bounds) {
+  std::vector<scene::Wall> walls;
+  for (std::size_t k = 0; k < bounds.size(); ++k) {
+    if (!std::isfinite(bounds[k])) continue;
+    std::vector<double> point(3, 0), normal(3, 0);
+    point[k / 2] = bounds[k];
+    normal[k / 2] = k % 2 == 0 ? 1 : -1;
+    walls.push_back({fmt::format("wall{}", k), point, normal, ""});
+  }
+  return walls;
+}
+
+scene::Material grain_material() {
+  scene::Material material;
+  material.name = "grain";
+  material.youngs_modulus = 1e7;
+  material.poisson_ratio = 0.25;
+  material.restitution = 0.5;
+  material.friction = 0.5;
+  return material;
+}
+
+/// Peak of the resident memory [MB].
+double peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    require(argc >= 4, "grains_bench PACKING.csv SUB_STEPS DT [--discs] [--gravity G] [--box BOUNDS]");
+    const auto steps = static_cast<double>(std::stoul(argv[2]));
+    const double dt = std::stod(argv[3]);
+    bool discs = false;
+    dem::Problem problem;
+    double gravity = 9.81;
+    for (int i = 4; i < argc; ++i) {
+      const std::string option = argv[i];
+      if (option == "--discs") discs = true;
+      if (option == "--gravity" && ++i < argc) gravity = std::stod(argv[i]);
+      if (option == "--box" && ++i < argc) problem.walls = make_walls(numbers(argv[i]));
+    }
+    problem.gravity = discs ? dem::Vec3(0, -gravity, 0) : dem::Vec3(0, 0, -gravity);
+    problem.thickness = discs_thickness;
+    problem.materials = {grain_material()};
+    problem.dem.steps_per_contact = 1;  // the step asked for
+    problem.dem.largest_sub_step = dt;
+    problem.bodies = read_packing(argv[1], discs);
+    dem::Solver solver(problem);
+    const auto start = std::chrono::steady_clock::now();
+    const dem::Advanced outcome = solver.advance(steps * dt, {});
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    require(outcome.converged, "the steps went wrong: {}", outcome.reason);
+    const auto n = static_cast<double>(solver.model().bodies.size());
+    fmt::print(
+        "{{\"grains\": {}, \"sub_steps\": {}, \"seconds\": {:.4f}, \"million_steps_per_second\": {:.3f}, "
+        "\"megabytes\": {:.1f}, \"contacts_per_grain\": {:.3f}, \"searches\": {}, \"largest_overlap\": "
+        "{:.3g}}}\n",
+        n, outcome.sub_steps, took.count(), n * static_cast<double>(outcome.sub_steps) / took.count() / 1e6,
+        peak_memory(), 2 * static_cast<double>(outcome.contacts) / n, outcome.searches,
+        outcome.largest_overlap);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return 1;
+  }
+}
