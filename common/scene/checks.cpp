@@ -189,12 +189,25 @@ void check_motion(const Scene& scene, ParameterVisitor& v) {
             "must have an entry where free bodies can touch walls or each other");
 }
 
+/// A material must say how stiff it is, by the law of the scene's contacts.
+void check_stiffness(const Scene& scene, ParameterVisitor& v) {
+  const bool linear = scene.dem && scene.dem->contact == "linear";
+  const std::string_view key = linear ? "normal_stiffness" : "youngs_modulus";
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& m = scene.materials[i];
+    v.require((linear ? m.normal_stiffness : m.youngs_modulus) > 0, key_of("materials", i, key),
+              linear ? "must be > 0 N/m where dem.contact = \"linear\""
+                     : "must be > 0 Pa where dem.contact = \"hertz\"");
+  }
+}
+
 }  // namespace
 
 void check(const Scene& scene, ParameterVisitor& v) {
   check_names("bodies", scene.bodies, v);
   check_names("materials", scene.materials, v);
   check_names("walls", scene.walls, v);
+  check_stiffness(scene, v);
   check_names("probes", scene.probes, v);
   check_materials("bodies", scene.bodies, scene, v);
   check_materials("walls", scene.walls, scene, v);

@@ -1,6 +1,7 @@
 /// [dem], [[materials]] and [[walls]]: the grains' contacts.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,21 +13,34 @@ namespace fpi::scene {
 /// [[materials]]
 struct Material {
   std::string name;
-  double youngs_modulus = 0;    ///< E [Pa]
-  double poisson_ratio = 0.25;  ///< ν
-  double restitution = 0.9;     ///< e, ratio of normal speeds after and before an impact
-  double friction = 0.3;        ///< Coulomb μ
-  double rolling_friction = 0;  ///< μ_r: rolling moment ≤ μ_r R* N
+  double youngs_modulus = 0;     ///< E [Pa], of the Hertz contact
+  double normal_stiffness = 0;   ///< k_n [N/m], of the linear contact
+  double poisson_ratio = 0.25;   ///< ν
+  double restitution = 0.9;      ///< e, ratio of normal speeds after and before an impact
+  double friction = 0.3;         ///< Coulomb μ
+  double rolling_friction = 0;   ///< μ_r: rolling moment ≤ μ_r R* N
+  double twisting_friction = 0;  ///< μ_t: twisting moment ≤ μ_t R* N
+  double adhesion = 0;           ///< w [J/m²]
 
   void declare(ParameterVisitor& v) {
     v.text({"name", "", "name that bodies and walls refer to; unique", true}, name);
-    v.real({"youngs_modulus", "Pa", "E of the Hertz contact", true}, youngs_modulus, positive());
+    v.real({"youngs_modulus", "Pa", "E, needed where dem.contact = \"hertz\""}, youngs_modulus,
+           not_negative());
+    v.real({"normal_stiffness", "N/m",
+            "k_n of a contact between two of this material, needed where dem.contact = \"linear\"; two "
+            "materials have the harmonic mean of theirs"},
+           normal_stiffness, not_negative());
     v.real({"poisson_ratio", "", "Poisson's ratio"}, poisson_ratio, between(0, 0.5));
     v.real({"restitution", "", "normal speed after over before a dry impact"}, restitution,
            above_up_to(0, 1));
     v.real({"friction", "", "Coulomb friction coefficient μ"}, friction, not_negative());
     v.real({"rolling_friction", "", "rolling resistance coefficient: moment at most μ_r R* N"},
            rolling_friction, not_negative());
+    v.real(
+        {"twisting_friction", "", "resistance to spin about the contact's normal: moment at most μ_t R* N"},
+        twisting_friction, not_negative());
+    v.real({"adhesion", "J/m²", "work of adhesion w: touching surfaces pull with 3/2 π w R*; 0: none"},
+           adhesion, not_negative());
   }
 };
 
@@ -63,15 +77,20 @@ struct Lubrication {
 /// [dem]
 struct Dem {
   Launch launch;
+  std::string contact = "hertz";  ///< hertz | linear
   double steps_per_contact = 50;  ///< t_c over the sub-step while something touches
   double largest_sub_step = 0;    ///< [s]; 0: the coupling step
   Lubrication lubrication;
 
+  static constexpr std::array<std::string_view, 2> contacts{"hertz", "linear"};
+
   void declare(ParameterVisitor& v) {
     launch.declare(v);
-    v.real(
-        {"steps_per_contact", "", "sub-steps in the Hertz contact time of the stiffest pair that can touch"},
-        steps_per_contact, between(10, 1e6));
+    v.choice(
+        {"contact", "", "normal force: Hertz's by youngs_modulus, or a linear spring by normal_stiffness"},
+        contact, contacts);
+    v.real({"steps_per_contact", "", "sub-steps in the contact time of the stiffest pair that can touch"},
+           steps_per_contact, between(10, 1e6));
     v.real({"largest_sub_step", "s", "upper limit of the sub-step in free flight; 0: the coupling step"},
            largest_sub_step, not_negative());
     v.table({"lubrication", "", "what narrow gaps resist with beyond what the fluid's mesh resolves"},

@@ -32,10 +32,8 @@ struct Contact {
     }
     return along(v) + w.cross(normal);
   }
-  /// Spin of a over b without the twist about the normal [rad/s].
-  Vec3 rolling(const std::vector<Vec3>& spin) const {
-    return along(wall ? spin[a] : Vec3(spin[a] - spin[b]));
-  }
+  /// Spin of a over b [rad/s]: rolling along the surface, twisting along the normal.
+  Vec3 turning(const std::vector<Vec3>& spin) const { return wall ? spin[a] : Vec3(spin[a] - spin[b]); }
   Vec3 along(const Vec3& v) const { return v - v.dot(normal) * normal; }
 
   /// `force` on a and its opposite on b: pressed along the normal it has no moment, dragged along the surface
@@ -72,21 +70,28 @@ double pair_inertia(const Bodies& bodies, const Contact& contact) {
   return 1 / (bodies.inverse_inertia[contact.a] + b);
 }
 
+template <class Elastic>
 void add_friction(const Model& model, const Contact& contact, const PairLaw& law, const Normal& state,
                   double N, const Velocities& velocities, double stretch_time, Memory& memory,
                   Forces& forces) {
-  const Spring tangential = tangential_spring(law, state);
+  const Spring tangential = tangential_spring<Elastic>(law, state);
   if (law.friction > 0) {
     follow(contact, stretch_time * contact.sliding(velocities.middle, velocities.middle_spin), memory.slip);
     const Vec3 rate = contact.sliding(velocities.now, velocities.now_spin);
     contact.drag(stick_slip(tangential, law.friction * N, rate, memory.slip), forces);
   }
+  if (law.rolling_friction == 0 && law.twisting_friction == 0) return;
+  const Spring turning = turning_spring(law, state, tangential, pair_inertia(model.bodies, contact));
+  const Vec3 middle = contact.turning(velocities.middle_spin), now = contact.turning(velocities.now_spin);
   if (law.rolling_friction > 0) {
-    const Spring spring = rolling_spring(law, state, tangential, pair_inertia(model.bodies, contact));
-    follow(contact, stretch_time * contact.rolling(velocities.middle_spin), memory.roll);
+    follow(contact, stretch_time * contact.along(middle), memory.roll);
     const double limit = law.rolling_friction * state.radius * N;
-    const Vec3 rate = contact.rolling(velocities.now_spin);
-    contact.twist(stick_slip(spring, limit, rate, memory.roll), forces);
+    contact.twist(stick_slip(turning, limit, contact.along(now), memory.roll), forces);
+  }
+  if (law.twisting_friction > 0) {
+    memory.twist += stretch_time * middle.dot(contact.normal);
+    const double limit = law.twisting_friction * state.radius * N;
+    contact.twist(stick_slip(turning, limit, now.dot(contact.normal), memory.twist) * contact.normal, forces);
   }
 }
 
@@ -102,6 +107,7 @@ Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3
           (velocity[near.a] - velocity[near.b]).dot(normal)};
 }
 
+template <class Elastic>
 bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
                  Memory& memory, Forces& forces) {
   if (near.at.gap > sub_step.reach) {
@@ -110,14 +116,20 @@ bool add_contact(const Model& model, const Near& near, const Velocities& velocit
   }
   const Contact contact(model, near);
   const Normal state = normal_state(model, near, velocities.now);
-  const double N = normal_force(near.law, state, sub_step.duration);
+  const double N = normal_force<Elastic>(near.law, state, sub_step.duration);
   contact.press(-N * near.at.normal, forces);
   if (state.overlap > 0 && N > 0) {
-    add_friction(model, contact, near.law, state, N, velocities, sub_step.stretch_time, memory, forces);
+    add_friction<Elastic>(model, contact, near.law, state, N, velocities, sub_step.stretch_time, memory,
+                          forces);
   } else {
     memory = Memory{};
   }
   return state.overlap > 0;
 }
+
+template bool add_contact<Hertz>(const Model&, const Near&, const Velocities&, const SubStep&, Memory&,
+                                 Forces&);
+template bool add_contact<Linear>(const Model&, const Near&, const Velocities&, const SubStep&, Memory&,
+                                  Forces&);
 
 }  // namespace fpi::dem

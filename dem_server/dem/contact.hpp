@@ -43,18 +43,19 @@ struct SubStep {
 /// `velocity`.
 Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3>& velocity);
 
-/// Adds the force and moments of one place to `forces`. True where it touches.
+/// Adds the force and moments of one place to `forces`, by the law Hertz or Linear. True where it touches.
+template <class Elastic>
 bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
                  Memory& memory, Forces& forces);
 
 /// Adds every place of a list: near(model, position, place) says where its surfaces are, names(model, place)
 /// whose they are.
-template <class Place>
+template <class Elastic, class Place>
 void add_list(const Model& model, const std::vector<Vec3>& position, const Velocities& velocities,
               const SubStep& sub_step, ContactList<Place>& list, Forces& forces, ContactCount& count) {
   for (std::size_t p = 0; p < list.places.size(); ++p) {
     const Near here = near(model, position, list.places[p]);
-    if (!add_contact(model, here, velocities, sub_step, list.memories[p], forces)) continue;
+    if (!add_contact<Elastic>(model, here, velocities, sub_step, list.memories[p], forces)) continue;
     const double R = model.bodies.radius[here.a], overlap = -here.at.gap;
     ++count.touching;
     count.largest_overlap = std::max(count.largest_overlap, overlap);

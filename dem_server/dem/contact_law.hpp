@@ -1,9 +1,12 @@
-/// The contact of two spheres, or of a sphere and a plane (R* = R), as free functions of values. Normal:
-/// Hertz with Tsuji's damping; tangential: Mindlin's stiffness with Coulomb's limit; rolling: spring, dashpot
-/// and limit. Discs touch by the same law as spheres of their radius.
+/// The contact of two spheres, or of a sphere and a plane (R* = R), as free functions of values. Normal: an
+/// elastic law with damping; tangential: Mindlin's spring with Coulomb's limit; rolling and twisting: spring,
+/// dashpot and limit. Discs touch by the same law as spheres of their radius.
 ///
-/// Real is double for one contact, Lanes for several at once; a Vector has three of them.
+/// Real is double for one contact, Lanes for several at once; a Vector has three of them. Elastic, the law
+/// of the scene, is Hertz or Linear.
 #pragma once
+
+#include <type_traits>
 
 #include "core/lanes.hpp"
 
@@ -12,11 +15,13 @@ namespace fpi::dem {
 /// What two materials make of a contact.
 template <class Real>
 struct PairLawOf {
-  Real normal_modulus{};    ///< E* [Pa]
-  Real shear_modulus{};     ///< G* [Pa]
-  Real damping_ratio{};     ///< ζ of the restitution asked for
-  Real friction{};          ///< μ
-  Real rolling_friction{};  ///< μ_r
+  Real normal{};             ///< of Hertz E* [Pa], of a linear spring k_n [N/m]
+  Real tangential_ratio{};   ///< κ = k_t/(dF/dδ)
+  Real damping_ratio{};      ///< ζ of the restitution asked for
+  Real friction{};           ///< μ
+  Real rolling_friction{};   ///< μ_r
+  Real twisting_friction{};  ///< μ_t
+  Real adhesion{};           ///< w, work of adhesion [J/m²]
 };
 using PairLaw = PairLawOf<double>;
 
@@ -30,32 +35,74 @@ struct NormalOf {
 };
 using Normal = NormalOf<double>;
 
-/// 4/3 E* √R* of F = k δ^(3/2) [N/m^(3/2)].
-template <class Real>
-Real hertz_stiffness(const PairLawOf<Real>& law, Real radius) {
-  return 4.0 / 3 * law.normal_modulus * sqrt(radius);
+/// F = k δ^(3/2), k = 4/3 E* √R* [N/m^(3/2)]. Force and slope are over k, at δ ≥ 0.
+struct Hertz {
+  template <class Real>
+  static Real stiffness(Real modulus, Real radius) {
+    return 4.0 / 3 * modulus * sqrt(radius);
+  }
+  template <class Real>
+  static Real force(Real overlap) {
+    return overlap * sqrt(overlap);
+  }
+  template <class Real>
+  static Real slope(Real overlap) {
+    return 1.5 * sqrt(overlap);
+  }
+  /// s with ½ k s² = energy: √(4/5) δ^(5/4).
+  template <class Real>
+  static Real amplitude(Real overlap) {
+    return std::sqrt(0.8) * overlap * sqrt(sqrt(overlap));
+  }
+};
+
+/// F = k δ, k [N/m].
+struct Linear {
+  template <class Real>
+  static Real stiffness(Real spring, Real) {
+    return spring;
+  }
+  template <class Real>
+  static Real force(Real overlap) {
+    return overlap;
+  }
+  template <class Real>
+  static Real slope(Real) {
+    return Real{} + 1;
+  }
+  template <class Real>
+  static Real amplitude(Real overlap) {
+    return overlap;
+  }
+};
+
+/// Which of them a scene has.
+enum class Elasticity { hertz, linear };
+
+/// Calls `use` with the law's type, so that what follows is compiled for it.
+template <class Use>
+auto with_elastic_law(Elasticity law, Use use) {
+  return law == Elasticity::linear ? use(Linear{}) : use(Hertz{});
 }
 
-/// δ^(5/4), zero where there is no overlap.
-template <class Real>
-Real five_quarters(Real overlap) {
-  const Real compressed = max(overlap, Real{});
-  return compressed * sqrt(sqrt(compressed));
-}
-
-/// Normal force [N], never attractive: 4/3 E* √R* δ^(3/2) + √5 ζ √(m* 4/3 E* √R*) δ^(1/4) dδ/dt. The damping
-/// starts with infinite slope at δ = 0; it is averaged over the sub-step Δt [s] around now, for which it is
-/// the difference of 4/5 δ^(5/4) over its ends, so that the restitution does not depend on where in a
-/// sub-step the contact starts.
-template <class Real>
+/// Normal force [N], never attractive: k f(δ) (1 − Δt² k f'(δ)/(12 m*)) + 2 ζ √(k m*) ds/dt.
+///
+/// The bracket takes the error Δt²/24 F²/m* out of the Hamiltonian that velocity Verlet keeps (Rowlands 1991;
+/// Takahashi & Imada 1984), so that an impact without damping has time and speed of fourth order.
+/// With the amplitude s as coordinate the damped contact is a linear oscillator (Tsuji 1992; Antypov &
+/// Elliott 2011). The damping of Hertz starts with infinite slope at δ = 0; it is averaged over the sub-step
+/// Δt [s] around now, so that the restitution does not depend on where in a sub-step the contact starts.
+template <class Elastic, class Real>
 Real normal_force(const PairLawOf<Real>& law, const NormalOf<Real>& c, double sub_step) {
-  const Real k = hertz_stiffness(law, c.radius);
+  const Real k = Elastic::stiffness(law.normal, c.radius);
   const Real compressed = max(c.overlap, Real{});
-  const Real elastic = k * compressed * sqrt(compressed);
-  const Real damping = sqrt(5 * c.mass * k) * law.damping_ratio;
+  const Real softening = sub_step * sub_step / 12 * k / c.mass * Elastic::slope(compressed);
   const Real half = 0.5 * sub_step * c.rate;
-  const Real mean_rate = 0.8 * (five_quarters(c.overlap + half) - five_quarters(c.overlap - half)) / sub_step;
-  return max(elastic + damping * mean_rate, Real{});
+  const Real mean_rate = (Elastic::amplitude(max(c.overlap + half, Real{})) -
+                          Elastic::amplitude(max(c.overlap - half, Real{}))) /
+                         sub_step;
+  const Real damping = 2 * law.damping_ratio * sqrt(k * c.mass);
+  return max(k * Elastic::force(compressed) * (1 - softening) + damping * mean_rate, Real{});
 }
 
 /// Spring and dashpot along the surface or about the contact.
@@ -65,23 +112,34 @@ struct SpringOf {
 };
 using Spring = SpringOf<double>;
 
-/// Dashpot of a spring on an inertia, damped at the ratio of the normal contact.
+/// Dashpot of a spring on an inertia, at the damping ratio of the normal contact.
 template <class Real>
 SpringOf<Real> damped(Real damping_ratio, Real stiffness, Real inertia) {
   return {stiffness, 2 * std::sqrt(5.0 / 6) * damping_ratio * sqrt(stiffness * inertia)};
 }
 
-/// Mindlin's tangential stiffness 8 G* √(R* δ) [N/m].
-template <class Real>
+/// κ dF/dδ [N/m] at δ > 0: for Hertz Mindlin's 8 G* √(R* δ).
+template <class Elastic, class Real>
 SpringOf<Real> tangential_spring(const PairLawOf<Real>& law, const NormalOf<Real>& c) {
-  return damped<Real>(law.damping_ratio, 8 * law.shear_modulus * sqrt(c.radius * c.overlap), c.mass);
+  const Real stiffness =
+      law.tangential_ratio * Elastic::stiffness(law.normal, c.radius) * Elastic::slope(c.overlap);
+  return damped<Real>(law.damping_ratio, stiffness, c.mass);
 }
 
-/// Rolling stiffness k_t R*² [N m/rad]; `inertia` is that of the pair, as m* of masses [kg m²].
+/// Rolling or twisting stiffness k_t R*² [N m/rad]; `inertia` is that of the pair, as m* of masses [kg m²].
 template <class Real>
-SpringOf<Real> rolling_spring(const PairLawOf<Real>& law, const NormalOf<Real>& c,
+SpringOf<Real> turning_spring(const PairLawOf<Real>& law, const NormalOf<Real>& c,
                               const SpringOf<Real>& tangential, Real inertia) {
   return damped<Real>(law.damping_ratio, tangential.stiffness * c.radius * c.radius, inertia);
+}
+
+/// Length of a vector, or size of its only component.
+template <class Real, class Vector>
+Real length(const Vector& v) {
+  if constexpr (std::is_same_v<Vector, Real>)
+    return sqrt(v * v);
+  else
+    return sqrt(v.dot(v));
 }
 
 /// Force or moment of a spring and dashpot with a limit. Past the limit it slips, and `stretch` is shortened
@@ -89,7 +147,7 @@ SpringOf<Real> rolling_spring(const PairLawOf<Real>& law, const NormalOf<Real>& 
 template <class Real, class Vector>
 Vector stick_slip(const SpringOf<Real>& spring, Real limit, const Vector& rate, Vector& stretch) {
   const Vector trial = -spring.stiffness * stretch - spring.damping * rate;
-  const Real size = sqrt(trial.dot(trial));
+  const Real size = length<Real>(trial);
   const Real share = select(size > limit, limit / size, Real{} + 1);
   stretch += (1 - share) / spring.stiffness * trial;
   return share * trial;

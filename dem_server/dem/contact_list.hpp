@@ -13,7 +13,8 @@ namespace fpi::dem {
 struct Memory {
   Vec3 slip = Vec3::Zero();  ///< stretch of the tangential spring [m]
   Vec3 roll = Vec3::Zero();  ///< stretch of the rolling spring [rad]
-  bool empty() const { return slip.isZero(0) && roll.isZero(0); }
+  double twist = 0;          ///< stretch of the spring about the normal [rad]
+  bool empty() const { return slip.isZero(0) && roll.isZero(0) && twist == 0; }
 };
 
 /// `Place` says who touches whom.

@@ -19,8 +19,10 @@ ContactCount add_contacts(const Model& model, const std::vector<Vec3>& position,
                           WallContacts& wall_contacts, Forces& forces) {
   const SubStep sub_step{stretch_time, duration, half_step_approach(velocities.now, duration)};
   ContactCount count;
-  add_list(model, position, velocities, sub_step, neighbours, forces, count);
-  add_list(model, position, velocities, sub_step, wall_contacts, forces, count);
+  with_elastic_law(model.elasticity, [&](auto law) {
+    add_list<decltype(law)>(model, position, velocities, sub_step, neighbours, forces, count);
+    add_list<decltype(law)>(model, position, velocities, sub_step, wall_contacts, forces, count);
+  });
   return count;
 }
 

@@ -2,26 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fpi::dem {
 
-PairLaw combine(const scene::Material& a, const scene::Material& b) {
-  const auto normal_compliance = [](const scene::Material& m) {
-    return (1 - m.poisson_ratio * m.poisson_ratio) / m.youngs_modulus;
+PairLaw combine(const scene::Material& a, const scene::Material& b, Elasticity elasticity) {
+  const bool linear = elasticity == Elasticity::linear;
+  // Of linear springs only the ratio κ needs a modulus, and any measure of stiffness will do.
+  const auto modulus = [&](const scene::Material& m) {
+    return linear ? m.normal_stiffness : m.youngs_modulus;
   };
-  const auto shear_compliance = [](const scene::Material& m) {
-    return (2 - m.poisson_ratio) * 2 * (1 + m.poisson_ratio) / m.youngs_modulus;
+  const auto normal_compliance = [&](const scene::Material& m) {
+    return (1 - m.poisson_ratio * m.poisson_ratio) / modulus(m);
   };
-  return {.normal_modulus = 1 / (normal_compliance(a) + normal_compliance(b)),
-          .shear_modulus = 1 / (shear_compliance(a) + shear_compliance(b)),
+  const auto shear_compliance = [&](const scene::Material& m) {
+    return (2 - m.poisson_ratio) * 2 * (1 + m.poisson_ratio) / modulus(m);
+  };
+  const double compliance = normal_compliance(a) + normal_compliance(b);
+  return {.normal = linear ? 2 / (1 / modulus(a) + 1 / modulus(b)) : 1 / compliance,
+          .tangential_ratio = 4 * compliance / (shear_compliance(a) + shear_compliance(b)),
           .damping_ratio = damping_ratio(std::sqrt(a.restitution * b.restitution)),
           .friction = std::min(a.friction, b.friction),
-          .rolling_friction = std::min(a.rolling_friction, b.rolling_friction)};
+          .rolling_friction = std::min(a.rolling_friction, b.rolling_friction),
+          .twisting_friction = std::min(a.twisting_friction, b.twisting_friction),
+          .adhesion = std::sqrt(a.adhesion * b.adhesion)};
 }
 
-LawTable::LawTable(const std::vector<scene::Material>& materials) : n_(materials.size()) {
+LawTable::LawTable(const std::vector<scene::Material>& materials, Elasticity elasticity)
+    : n_(materials.size()) {
   for (const auto& a : materials) {
-    for (const auto& b : materials) laws_.push_back(combine(a, b));
+    for (const auto& b : materials) laws_.push_back(combine(a, b, elasticity));
   }
 }
 
@@ -48,10 +58,14 @@ double contact_time(double mass, double radius, double normal_modulus, double sp
 }
 
 double equivalent_speed(const PairLaw& law, const Normal& c) {
-  const double compressed = std::max(c.overlap, 0.0);
-  const double energy =
-      0.4 * hertz_stiffness(law, c.radius) * compressed * compressed * std::sqrt(compressed);  // [J]
-  return std::sqrt(c.rate * c.rate + 2 * energy / c.mass);
+  const double s = Hertz::amplitude(std::max(c.overlap, 0.0));
+  return std::sqrt(c.rate * c.rate + Hertz::stiffness(law.normal, c.radius) * s * s / c.mass);
+}
+
+double contact_time(Elasticity elasticity, const PairLaw& law, const Normal& c) {
+  if (elasticity == Elasticity::linear)
+    return std::numbers::pi * std::sqrt(c.mass / Linear::stiffness(law.normal, c.radius));
+  return contact_time(c.mass, c.radius, law.normal, equivalent_speed(law, c));
 }
 
 }  // namespace fpi::dem

@@ -1,6 +1,6 @@
-/// What pairs of materials make of a contact: 1/E* = Σ (1 − ν²)/E, 1/G* = Σ (2 − ν)/G, the geometric mean of
-/// the restitutions, and the smaller friction and rolling friction of the two. Also what theory says of an
-/// impact, by which damping and sub-steps are chosen.
+/// What pairs of materials make of a contact: 1/E* = Σ (1 − ν²)/E and 1/G* = Σ (2 − ν)/G, or the harmonic
+/// mean of the linear stiffnesses; κ = 4 G*/E*; the geometric means of restitution and adhesion; the smaller
+/// of the frictions. Also what theory says of an impact, by which damping and sub-steps are chosen.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,13 @@
 
 namespace fpi::dem {
 
-PairLaw combine(const scene::Material& a, const scene::Material& b);
+PairLaw combine(const scene::Material& a, const scene::Material& b,
+                Elasticity elasticity = Elasticity::hertz);
 
 /// The law of every pair of materials, by their indices.
 class LawTable {
  public:
-  explicit LawTable(const std::vector<scene::Material>& materials);
+  explicit LawTable(const std::vector<scene::Material>& materials, Elasticity elasticity = Elasticity::hertz);
   const PairLaw& operator()(std::size_t a, std::size_t b) const { return laws_[a * n_ + b]; }
 
  private:
@@ -23,18 +24,19 @@ class LawTable {
   std::vector<PairLaw> laws_;
 };
 
-/// Restitution of the damped Hertz contact with damping ratio ζ, at any speed. With s = δ^(5/4) as coordinate
-/// and a time stretched by δ^(-1/4) Tsuji's contact is a linear oscillator (Antypov & Elliott 2011). The
+/// Restitution of a contact with damping ratio ζ, at any speed, the same for Hertz and linear springs. The
 /// contact ends when its force has fallen to zero, so it never pulls: e = exp(−2ζ acos ζ/√(1 − ζ²)), with
-/// acosh and ζ² − 1 where ζ > 1 (Schwager & Pöschel 2007 for the linear dashpot).
+/// acosh and ζ² − 1 where ζ > 1 (Schwager & Pöschel 2007).
 double restitution(double damping_ratio);
 /// Its inverse, ζ(e) for 0 < e ≤ 1.
 double damping_ratio(double restitution);
 
-/// Duration t_c of an undamped impact [s]: 2.868266 (m*²/(R* E*² v))^(1/5); infinite at v = 0.
+/// Duration t_c of an undamped Hertz impact [s]: 2.868266 (m*²/(R* E*² v))^(1/5); infinite at v = 0.
 double contact_time(double mass, double radius, double normal_modulus, double speed);
 
-/// Impact speed [m/s] with the energy of motion and compression that the contact has now.
+/// Impact speed [m/s] with the energy of motion and compression that a Hertz contact has now.
 double equivalent_speed(const PairLaw& law, const Normal& contact);
+/// Duration [s] of the undamped impact with that energy; of a linear spring π √(m*/k).
+double contact_time(Elasticity elasticity, const PairLaw& law, const Normal& contact);
 
 }  // namespace fpi::dem

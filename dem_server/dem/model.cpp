@@ -89,7 +89,8 @@ Model make_model(const Problem& problem) {
     add_body(problem, body, model.bodies);
   }
   for (const auto& wall : problem.walls) model.walls.push_back(make_wall(problem, wall));
-  model.laws = LawTable(problem.materials);
+  model.elasticity = problem.dem.contact == "linear" ? Elasticity::linear : Elasticity::hertz;
+  model.laws = LawTable(problem.materials, model.elasticity);
   const scene::Lubrication& lubrication = problem.dem.lubrication;
   model.lubricant = {lubrication.viscosity.value_or(0) * (model.plane ? problem.thickness : 1),
                      lubrication.roughness, problem.hydraulic_radius_ratio};

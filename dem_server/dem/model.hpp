@@ -66,6 +66,7 @@ struct Model {
   double largest_sub_step = 0;  ///< [s]; infinite where the scene sets none
   Bodies bodies;
   std::vector<Plane> walls;
+  Elasticity elasticity = Elasticity::hertz;
   LawTable laws{{}};
   Lubricant lubricant;
 };

@@ -7,9 +7,9 @@
 namespace fpi::dem {
 namespace {
 
-constexpr std::uint64_t magic = 0x32534d4544495046;  // "FPIDEMS2"
+constexpr std::uint64_t magic = 0x33534d4544495046;  // "FPIDEMS3"
 constexpr std::size_t body_size = 13 * sizeof(double);
-constexpr std::size_t contact_size = 2 * sizeof(std::uint32_t) + 6 * sizeof(double);
+constexpr std::size_t contact_size = 2 * sizeof(std::uint32_t) + 7 * sizeof(double);
 
 class Writer : public ByteWriter {
  public:
@@ -26,6 +26,7 @@ class Writer : public ByteWriter {
       put(b);
       put(list.memories[p].slip);
       put(list.memories[p].roll);
+      put(list.memories[p].twist);
     }
   }
 };
@@ -55,7 +56,7 @@ class Reader : public ByteReader {
               "the DEM's state has a contact {} of {} and {} that cannot be: take another checkpoint", p, a,
               b);
       const Vec3 slip = vector(), roll = vector();
-      list.memories.push_back({slip, roll});
+      list.memories.push_back({slip, roll, number()});
     }
   }
 };

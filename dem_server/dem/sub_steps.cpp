@@ -17,7 +17,7 @@ Vec3 relative(const std::vector<Vec3>& v, const Near& near) {
 /// Sub-step of two surfaces that meet with `speed` [m/s]; damping above ζ = 1 is stiffer than the spring.
 double contact_step(const Model& model, const PairLaw& law, Normal state, double speed) {
   state.rate = speed;
-  const double t_c = contact_time(state.mass, state.radius, law.normal_modulus, equivalent_speed(law, state));
+  const double t_c = contact_time(model.elasticity, law, state);
   return t_c / (model.steps_per_contact * std::max(1.0, law.damping_ratio));
 }
 

@@ -65,7 +65,7 @@ double sphere_mass(double radius, double density) {
 
 TEST(Impact, undamped_contact_time_and_restitution_are_hertz_at_any_phase) {
   const scene::Material m = material(1e9, 0.3);
-  const double t_c = contact_time(0.5 * sphere_mass(0.01, 2500), 0.005, combine(m, m).normal_modulus, 2);
+  const double t_c = contact_time(0.5 * sphere_mass(0.01, 2500), 0.005, combine(m, m).normal, 2);
   for (const double phase : {0.0, 0.3, 0.7}) {
     const Impact impact = follow(head_on(m, 0.01, 2500, 1, phase * t_c / 50), t_c);
     EXPECT_NEAR(impact.duration / t_c, 1, 2.15e-4) << phase;  // (2π/100)²/24 is the integrator's own
@@ -76,7 +76,7 @@ TEST(Impact, undamped_contact_time_and_restitution_are_hertz_at_any_phase) {
 TEST(Impact, restitution_asked_for_is_had_at_any_phase) {
   for (const double e : {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 1.0}) {
     const scene::Material m = material(1e9, 0.3, e);
-    const double t_c = contact_time(0.5 * sphere_mass(0.01, 2500), 0.005, combine(m, m).normal_modulus, 2);
+    const double t_c = contact_time(0.5 * sphere_mass(0.01, 2500), 0.005, combine(m, m).normal, 2);
     for (const double phase : {0.0, 0.25, 0.5, 0.75, 0.9}) {
       const Problem problem = head_on(m, 0.01, 2500, 1, (1 + phase) * t_c / 50);
       Solver solver(problem);
