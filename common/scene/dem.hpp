@@ -20,7 +20,6 @@ struct Material {
   double friction = 0.3;         ///< Coulomb μ
   double rolling_friction = 0;   ///< μ_r: rolling moment ≤ μ_r R* N
   double twisting_friction = 0;  ///< μ_t: twisting moment ≤ μ_t R* N
-  double adhesion = 0;           ///< w [J/m²]
 
   void declare(ParameterVisitor& v) {
     v.text({"name", "", "name that bodies and walls refer to; unique", true}, name);
@@ -39,8 +38,6 @@ struct Material {
     v.real(
         {"twisting_friction", "", "resistance to spin about the contact's normal: moment at most μ_t R* N"},
         twisting_friction, not_negative());
-    v.real({"adhesion", "J/m²", "work of adhesion w: touching surfaces pull with 3/2 π w R*; 0: none"},
-           adhesion, not_negative());
   }
 };
 

@@ -1,5 +1,5 @@
 /// What pairs of materials make of a contact: 1/E* = Σ (1 − ν²)/E and 1/G* = Σ (2 − ν)/G, or the harmonic
-/// mean of the linear stiffnesses; κ = 4 G*/E*; the geometric means of restitution and adhesion; the smaller
+/// mean of the linear stiffnesses; κ = 4 G*/E*; the geometric mean of the restitutions; the smaller
 /// of the frictions. Also what theory says of an impact, by which damping and sub-steps are chosen.
 #pragma once
 

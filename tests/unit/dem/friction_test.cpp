@@ -85,6 +85,19 @@ TEST(Friction, rolling_friction_stops_a_rolling_disc) {
   EXPECT_NEAR(solver.motions().spin[0].z(), 0, 1e-3);
 }
 
+TEST(Friction, twisting_friction_stops_a_top) {
+  Problem problem = resting("sphere", 0.5);
+  problem.materials[0].twisting_friction = 0.02;
+  problem.bodies[0].spin = {0, 50, 0};
+  Solver solver(problem);
+  // The moment μ_t R* N slows it by 5/2 μ_t g/R.
+  const double stops = 50 / (2.5 * 0.02 * g / 0.01);
+  step(solver, 0.5 * stops);
+  EXPECT_NEAR(solver.motions().spin[0].y(), 25, 1e-3 * 25);
+  for (int i = 0; i < 5; ++i) step(solver, 0.5 * stops);
+  EXPECT_NEAR(solver.motions().spin[0].y(), 0, 1e-3);
+}
+
 TEST(Friction, a_dropped_disc_comes_to_rest_with_little_overlap) {
   Problem problem = on_floor(material(1e6, 0.3, 0.3, 0.3), body("disc", "disc", 0.00125, 1250, {0, 0.005}));
   problem.thickness = 0.001;

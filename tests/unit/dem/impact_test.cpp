@@ -68,21 +68,47 @@ TEST(Impact, undamped_contact_time_and_restitution_are_hertz_at_any_phase) {
   const double t_c = contact_time(0.5 * sphere_mass(0.01, 2500), 0.005, combine(m, m).normal, 2);
   for (const double phase : {0.0, 0.3, 0.7}) {
     const Impact impact = follow(head_on(m, 0.01, 2500, 1, phase * t_c / 50), t_c);
-    EXPECT_NEAR(impact.duration / t_c, 1, 2.15e-4) << phase;  // (2π/100)²/24 is the integrator's own
-    EXPECT_NEAR(impact.restitution, 1, 5e-5) << phase;
+    EXPECT_NEAR(impact.duration / t_c, 1, 1e-5) << phase;
+    EXPECT_NEAR(impact.restitution, 1, 4e-5) << phase;
   }
 }
 
+/// Head-on at 1 m/s each, first touching at `phase` of a sub-step of t_c/50.
+double restitution_had(const std::string& law, double e, double phase) {
+  scene::Material m = material(1e9, 0.3, e);
+  m.normal_stiffness = 1e6;
+  Problem problem = head_on(m, 0.01, 2500, 1, 0);
+  problem.dem.contact = law;
+  const Elasticity elasticity = make_model(problem).elasticity;
+  const Normal start{.mass = 0.5 * sphere_mass(0.01, 2500), .radius = 0.005, .overlap = 0, .rate = 2};
+  const double t_c = contact_time(elasticity, combine(m, m, elasticity), start);
+  problem.bodies[0].position[0] -= (1 + phase) * t_c / 50;
+  problem.bodies[1].position[0] += (1 + phase) * t_c / 50;
+  Solver solver(problem);
+  for (int i = 0; i < 150; ++i) test::step(solver, t_c / 50);
+  return -solver.motions().velocity[0].x();
+}
+
 TEST(Impact, restitution_asked_for_is_had_at_any_phase) {
-  for (const double e : {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 1.0}) {
-    const scene::Material m = material(1e9, 0.3, e);
-    const double t_c = contact_time(0.5 * sphere_mass(0.01, 2500), 0.005, combine(m, m).normal, 2);
-    for (const double phase : {0.0, 0.25, 0.5, 0.75, 0.9}) {
-      const Problem problem = head_on(m, 0.01, 2500, 1, (1 + phase) * t_c / 50);
-      Solver solver(problem);
-      for (int i = 0; i < 150; ++i) test::step(solver, t_c / 50);
-      EXPECT_NEAR(-solver.motions().velocity[0].x(), e, 1e-3) << phase;
+  for (const char* law : {"hertz", "linear"}) {
+    for (const double e : {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 1.0}) {
+      for (const double phase : {0.0, 0.25, 0.5, 0.75, 0.9}) {
+        EXPECT_NEAR(restitution_had(law, e, phase), e, 1e-3) << law << " " << phase;
+      }
     }
+  }
+}
+
+TEST(Impact, a_linear_spring_takes_half_a_period_at_any_speed) {
+  scene::Material m = material(0, 0.3);
+  m.normal_stiffness = 2e6;
+  const double t_c = std::numbers::pi * std::sqrt(0.5 * sphere_mass(0.01, 2500) / 2e6);
+  for (const double speed : {0.01, 1.0}) {
+    Problem problem = head_on(m, 0.01, 2500, speed, 0);
+    problem.dem.contact = "linear";
+    const Impact impact = follow(problem, t_c);
+    EXPECT_NEAR(impact.duration / t_c, 1, 1e-5);
+    EXPECT_NEAR(impact.restitution, 1, 1e-6);
   }
 }
 
