@@ -19,6 +19,7 @@ struct Material {
   double restitution = 0.9;      ///< e, ratio of normal speeds after and before an impact
   double friction = 0.3;         ///< Coulomb μ
   double rolling_friction = 0;   ///< μ_r: rolling moment ≤ μ_r R* N
+  double adhesion = 0;           ///< w [J/m²]
   double twisting_friction = 0;  ///< μ_t: twisting moment ≤ μ_t R* N
 
   void declare(ParameterVisitor& v) {
@@ -35,6 +36,8 @@ struct Material {
     v.real({"friction", "", "Coulomb friction coefficient μ"}, friction, not_negative());
     v.real({"rolling_friction", "", "rolling resistance coefficient: moment at most μ_r R* N"},
            rolling_friction, not_negative());
+    v.real({"adhesion", "J/m²", "work of adhesion w: surfaces that touch pull with 3/2 π w R*; 0: none"},
+           adhesion, not_negative());
     v.real(
         {"twisting_friction", "", "resistance to spin about the contact's normal: moment at most μ_t R* N"},
         twisting_friction, not_negative());
@@ -71,6 +74,25 @@ struct Lubrication {
   }
 };
 
+/// [dem.near_field]: f = κ₁ d^(−a₁) − κ₂ d^(−a₂) between bodies whose centres are d < cut_off apart.
+struct NearField {
+  double attraction = 0, attraction_exponent = 1;  ///< κ₁ [N m^a₁], a₁
+  double repulsion = 0, repulsion_exponent = 2;    ///< κ₂ [N m^a₂], a₂
+  double cut_off = 0;                              ///< [m]
+  bool acts() const { return cut_off > 0; }
+
+  void declare(ParameterVisitor& v) {
+    v.real({"attraction", "N m^a",
+            "κ₁: bodies attract each other with κ₁ d^(−a₁), d the distance of their centres"},
+           attraction, not_negative());
+    v.real({"attraction_exponent", "", "a₁"}, attraction_exponent, between(0, 20));
+    v.real({"repulsion", "N m^a", "κ₂: bodies repel each other with κ₂ d^(−a₂)"}, repulsion, not_negative());
+    v.real({"repulsion_exponent", "", "a₂"}, repulsion_exponent, between(0, 20));
+    v.real({"cut_off", "m", "distance of the centres from which on both are zero; 0: there is no near field"},
+           cut_off, not_negative());
+  }
+};
+
 /// [dem]
 struct Dem {
   Launch launch;
@@ -78,6 +100,8 @@ struct Dem {
   double steps_per_contact = 50;  ///< t_c over the sub-step while something touches
   double largest_sub_step = 0;    ///< [s]; 0: the coupling step
   Lubrication lubrication;
+  NearField near_field;
+  double adhesion_range = 0.01;  ///< over R*
 
   static constexpr std::array<std::string_view, 2> contacts{"hertz", "linear"};
 
@@ -90,6 +114,9 @@ struct Dem {
            steps_per_contact, between(10, 1e6));
     v.real({"largest_sub_step", "s", "upper limit of the sub-step in free flight; 0: the coupling step"},
            largest_sub_step, not_negative());
+    v.real({"adhesion_range", "", "gap, over R*, on which the pull of adhesion falls to zero"},
+           adhesion_range, above_up_to(0, 1));
+    v.table({"near_field", "", "attraction and repulsion between bodies that need not touch"}, near_field);
     v.table({"lubrication", "", "what narrow gaps resist with beyond what the fluid's mesh resolves"},
             lubrication);
   }

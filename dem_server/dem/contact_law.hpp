@@ -21,6 +21,7 @@ struct PairLawOf {
   Real friction{};           ///< μ
   Real rolling_friction{};   ///< μ_r
   Real twisting_friction{};  ///< μ_t
+  Real adhesion{};           ///< w, work of adhesion [J/m²]
 };
 using PairLaw = PairLawOf<double>;
 

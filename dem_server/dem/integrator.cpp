@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem/attraction.hpp"
 #include "dem/films.hpp"
 #include "dem/forces.hpp"
 
@@ -26,7 +27,7 @@ class Integration {
         forces_(loads),
         velocity_now_(motions_.velocity),
         spin_now_(motions_.spin) {
-    if (neighbours_.origin.empty() || neighbours_.reach < films_.reach()) search_neighbours();
+    if (neighbours_.origin.empty() || neighbours_.reach < reach()) search_neighbours();
   }
 
   Advanced run(double duration) {
@@ -146,6 +147,7 @@ class Integration {
     const Velocities velocities{motions_.velocity, motions_.spin, velocity_now_, spin_now_};
     const ContactCount count = add_contacts(model_, motions_.position, velocities, stretch_time, dt,
                                             neighbours_, state_.wall_contacts, forces_);
+    add_attractions(model_, state_, forces_);
     forces_stand_ = true;
     outcome_.contacts = count.touching;
     outcome_.largest_overlap = std::max(outcome_.largest_overlap, count.largest_overlap);
@@ -165,10 +167,13 @@ class Integration {
     return false;
   }
 
+  /// The gap at which surfaces begin to act on each other [m].
+  double reach() const { return std::max(films_.reach(), widest_attraction(model_)); }
+
   void search_neighbours() {
     check_finite();
     if (!outcome_.converged) return;
-    find_neighbours(model_, films_.reach(), state_);
+    find_neighbours(model_, reach(), state_);
     ++outcome_.searches;
   }
 

@@ -24,7 +24,8 @@ PairLaw combine(const scene::Material& a, const scene::Material& b, Elasticity e
           .damping_ratio = damping_ratio(std::sqrt(a.restitution * b.restitution)),
           .friction = std::min(a.friction, b.friction),
           .rolling_friction = std::min(a.rolling_friction, b.rolling_friction),
-          .twisting_friction = std::min(a.twisting_friction, b.twisting_friction)};
+          .twisting_friction = std::min(a.twisting_friction, b.twisting_friction),
+          .adhesion = std::sqrt(a.adhesion * b.adhesion)};
 }
 
 LawTable::LawTable(const std::vector<scene::Material>& materials, Elasticity elasticity)

@@ -1,8 +1,9 @@
 /// What pairs of materials make of a contact: 1/E* = Σ (1 − ν²)/E and 1/G* = Σ (2 − ν)/G, or the harmonic
-/// mean of the linear stiffnesses; κ = 4 G*/E*; the geometric mean of the restitutions; the smaller
+/// mean of the linear stiffnesses; κ = 4 G*/E*; the geometric means of restitution and adhesion; the smaller
 /// of the frictions. Also what theory says of an impact, by which damping and sub-steps are chosen.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "dem/contact_law.hpp"
@@ -17,6 +18,10 @@ PairLaw combine(const scene::Material& a, const scene::Material& b,
 class LawTable {
  public:
   explicit LawTable(const std::vector<scene::Material>& materials, Elasticity elasticity = Elasticity::hertz);
+  /// True where some pair of materials sticks.
+  bool adhesive() const {
+    return std::ranges::any_of(laws_, [](const PairLaw& law) { return law.adhesion > 0; });
+  }
   const PairLaw& operator()(std::size_t a, std::size_t b) const { return laws_[a * n_ + b]; }
 
  private:

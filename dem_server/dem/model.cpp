@@ -94,6 +94,8 @@ Model make_model(const Problem& problem) {
   const scene::Lubrication& lubrication = problem.dem.lubrication;
   model.lubricant = {lubrication.viscosity.value_or(0) * (model.plane ? problem.thickness : 1),
                      lubrication.roughness, problem.hydraulic_radius_ratio};
+  model.near_field = problem.dem.near_field;
+  model.adhesion_range = problem.dem.adhesion_range;
   return model;
 }
 

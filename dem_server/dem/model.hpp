@@ -69,6 +69,8 @@ struct Model {
   Elasticity elasticity = Elasticity::hertz;
   LawTable laws{{}};
   Lubricant lubricant;
+  scene::NearField near_field;
+  double adhesion_range = 0;  ///< gap at which adhesion ends, over R*
 };
 
 /// Throws Error naming the body, wall or material at fault: names twice, an unknown material, a free body

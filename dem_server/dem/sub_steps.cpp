@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "dem/attraction.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -19,6 +22,11 @@ double contact_step(const Model& model, const PairLaw& law, Normal state, double
   state.rate = speed;
   const double t_c = contact_time(model.elasticity, law, state);
   return t_c / (model.steps_per_contact * std::max(1.0, law.damping_ratio));
+}
+
+/// Sub-step that resolves the steepest attraction of two surfaces.
+double attraction_step(const Model& model, const Near& near, double mass) {
+  return std::numbers::pi * std::sqrt(mass / attraction_stiffness(model, near)) / model.steps_per_contact;
 }
 
 }  // namespace
@@ -43,10 +51,12 @@ Outlook look_ahead(const Model& model, const State& state, const Forces& loads, 
   each_near(model, state, [&](const Near& near) {
     const Normal normal = normal_state(model, near, velocity);
     const Vec3 acceleration = relative_acceleration(model, loads, near);
-    const double meeting = time_to_close(near.at.gap, normal.rate, acceleration.dot(near.at.normal));
+    const double reach = std::max(attraction_reach(model, near), 0.0);
+    const double meeting = time_to_close(near.at.gap - reach, normal.rate, acceleration.dot(near.at.normal));
     if (std::isinf(meeting)) return;
     const double speed = relative(velocity, near).norm() + acceleration.norm() * horizon;
-    const double step = contact_step(model, near.law, normal, speed);
+    double step = contact_step(model, near.law, normal, speed);
+    if (reach > 0) step = std::min(step, attraction_step(model, near, normal.mass));
     if (meeting >= horizon + step) return;
     outlook.free_time = std::min(outlook.free_time, meeting);
     outlook.contact_step = std::min(outlook.contact_step, step);
