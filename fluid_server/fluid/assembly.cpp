@@ -127,7 +127,8 @@ void System::assemble_ghost(const Flow& flow, const Fields& fields, const TimeTe
   std::array<double, block_size::ghost * block_size::ghost> dense{};
   Eigen::Map<Eigen::Matrix<double, block_size::ghost, block_size::ghost>> block(dense.data());
   Index number = first_ghost_;
-  for (const GhostFace& face : ghosts_) {
+  for (const auto& shared : cut_.ghost_faces) {
+    const GhostFace& face = *shared;
     const double viscous = embedding_.ghost_viscous * mu / face.h2;
     const double pressure = -embedding_.ghost_pressure / mu;  // the continuity equation carries −s_p
 

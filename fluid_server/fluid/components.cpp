@@ -28,11 +28,7 @@ bool is_blocked(const Mesh& mesh, Index edge, std::span<const Outline> outlines)
 /// The part of each active cell that is in the fluid.
 std::vector<double> fluid_shares(const Mesh& mesh, const CutMesh& cut) {
   std::vector<double> share(mesh.n_cells(), 1);
-  for (const CutCell& cell : cut.cut_cells) {
-    double area = 0;
-    for (const ElementPoint& point : cell.points) area += point.weight;
-    share[cell.cell] = area / mesh.area(cell.cell);
-  }
+  for (const auto& cell : cut.cut_cells) share[cell->cell] = cell->share;
   return share;
 }
 
@@ -90,9 +86,11 @@ void drop_pockets(const Mesh& mesh, std::span<const Interface> interfaces, Compo
   const auto is_gone = [&](Index c) { return components.of_cell[c] < 0; };
   for (Index c = 0; c < mesh.n_cells(); ++c)
     if (is_gone(c)) cut.state[c] = CellState::solid;
-  std::erase_if(cut.cut_cells, [&](const CutCell& cell) { return is_gone(cell.cell); });
-  std::erase_if(cut.ghost_edges,
-                [&](Index e) { return is_gone(mesh.edge_cells[e][0]) || is_gone(mesh.edge_cells[e][1]); });
+  std::erase_if(cut.cut_cells, [&](const auto& cell) { return is_gone(cell->cell); });
+  std::erase_if(cut.ghost_faces, [&](const auto& face) {
+    const auto [c1, c2] = mesh.edge_cells[face->edge];
+    return is_gone(c1) || is_gone(c2);
+  });
   std::erase_if(cut.pieces, [&](const ArcPiece& piece) { return is_gone(piece.cell); });
   measure_multipliers(interfaces, cut);
 }

@@ -11,47 +11,41 @@ namespace {
 
 constexpr double shortest = 1e-14;  ///< stretch that counts, of a parameter near 1
 
-std::vector<Index> cells_near(const Locator& locator, const Outline& outline) {
-  return locator.near(outline.lower(), outline.upper());
-}
+/// A cell and an image that cuts it.
+struct Meeting {
+  Index cell, image;
+  auto operator<=>(const Meeting&) const = default;
+};
 
-/// (cell, image) for every cell that an outline cuts or touches, sorted by cell; solid cells are marked on
-/// the way.
-std::vector<std::pair<Index, Index>> classify(const Mesh& mesh, const Locator& locator,
-                                              std::span<const Image> images, std::vector<CellState>& state) {
-  std::vector<std::pair<Index, Index>> cuts;
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    const Outline& outline = images[i].outline;
-    for (Index c : cells_near(locator, outline)) {
-      const Position where = position(mesh.corners(c), outline);
-      if (where == Position::inside) state[c] = CellState::solid;
-      if (where == Position::cut) cuts.emplace_back(c, static_cast<Index>(i));
-    }
+/// Every cell that an outline cuts or touches, with its images, sorted; solid cells are marked on the way.
+std::vector<Meeting> classify(std::span<const Image> images, std::vector<CellState>& state) {
+  std::vector<Meeting> meetings;
+  for (Index i = 0; i < static_cast<Index>(images.size()); ++i) {
+    for (const Index c : images[i].footprint->inside) state[c] = CellState::solid;
+    for (const Index c : images[i].footprint->cut) meetings.push_back({c, i});
   }
-  std::erase_if(cuts, [&](const auto& pair) { return state[pair.first] == CellState::solid; });
-  std::sort(cuts.begin(), cuts.end());
-  for (const auto& [c, i] : cuts) state[c] = CellState::cut;
-  return cuts;
+  std::erase_if(meetings, [&](const Meeting& m) { return state[m.cell] == CellState::solid; });
+  std::sort(meetings.begin(), meetings.end());
+  for (const Meeting& m : meetings) state[m.cell] = CellState::cut;
+  return meetings;
 }
 
-std::vector<ElementPoint> element_points(const Corners& corners, std::span<const Outline* const> outlines) {
+std::vector<ElementPoint> element_points(const Triangle& triangle, std::span<const Outline* const> outlines) {
   std::vector<PlanePoint> plane;
-  cut_quadrature(corners, outlines, plane);
-  const Triangle triangle(corners);
+  cut_quadrature(triangle.corner, outlines, plane);
   std::vector<ElementPoint> points;
   points.reserve(plane.size());
   for (const PlanePoint& p : plane) points.push_back({shape_at(triangle.barycentric(p.x)), p.weight});
   return points;
 }
 
-struct Interval {
-  double start, end;
-};
-
-/// Stretches of an outline inside one cell and outside all other bodies. The cell's edges are taken in their
-/// own direction, so that both neighbours split at the same places to the bit.
-std::vector<Interval> stretches(const Mesh& mesh, Index cell, const Outline& outline,
-                                std::span<const Outline* const> others) {
+/// Appends the stretches of one of the outlines at a cell. The cell's edges are taken in their own direction,
+/// so that both neighbours split at the same places to the bit.
+void add_stretches(const Mesh& mesh, Index cell, std::span<const Outline* const> outlines, Index own,
+                   std::vector<CutCell::Stretch>& out) {
+  const Outline& outline = *outlines[own];
+  std::vector<const Outline*> others(outlines.begin(), outlines.end());
+  others.erase(others.begin() + own);
   std::vector<double> splits;
   for (Index e : mesh.cell_edges[cell])
     outline.add_crossings(mesh.vertices[mesh.edges[e][0]], mesh.vertices[mesh.edges[e][1]], splits);
@@ -62,7 +56,6 @@ std::vector<Interval> stretches(const Mesh& mesh, Index cell, const Outline& out
   splits.push_back(splits.front() + outline.period());
 
   const Triangle triangle(mesh.corners(cell));
-  std::vector<Interval> out;
   for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
     if (splits[i + 1] - splits[i] < shortest) continue;
     const Vec2 place = outline.beside(0.5 * (splits[i] + splits[i + 1]));
@@ -70,13 +63,12 @@ std::vector<Interval> stretches(const Mesh& mesh, Index cell, const Outline& out
     const bool in_cell = std::min({l[0], l[1], l[2]}) > 0;
     const bool in_fluid = std::none_of(others.begin(), others.end(),
                                        [&](const Outline* other) { return other->contains(place); });
-    if (in_cell && in_fluid) out.push_back({splits[i], splits[i + 1]});
+    if (in_cell && in_fluid) out.push_back({own, splits[i], splits[i + 1]});
   }
-  return out;
 }
 
 /// Cuts a stretch at the ends of the arcs and appends the pieces.
-void add_pieces(const Interface& interface, const Image& image, Index cell, const Interval& stretch,
+void add_pieces(const Interface& interface, const Image& image, Index cell, const CutCell::Stretch& stretch,
                 CutMesh& out) {
   const double period = interface.outline.period();
   for (Index a = 0; a < interface.n_arcs(); ++a) {
@@ -94,51 +86,81 @@ void add_pieces(const Interface& interface, const Image& image, Index cell, cons
   }
 }
 
-/// Cuts one element by the images that meet it, each with its number. A touch that takes nothing of it and
+std::shared_ptr<const CutCell> cut_cell(const Mesh& mesh, Index cell,
+                                        std::vector<std::shared_ptr<const Footprint>> footprints) {
+  std::vector<const Outline*> outlines;
+  for (const auto& footprint : footprints) outlines.push_back(&footprint->outline);
+  const Triangle triangle(mesh.corners(cell));
+  auto cut = std::make_shared<CutCell>(
+      CutCell{cell, std::move(footprints), {}, element_points(triangle, outlines), metric_of(triangle), 0});
+  cut->metric.area = 1;
+  for (const ElementPoint& point : cut->points) cut->share += point.weight / triangle.area;
+  for (Index own = 0; own < static_cast<Index>(outlines.size()); ++own)
+    add_stretches(mesh, cell, outlines, own, cut->stretches);
+  return cut;
+}
+
+/// Enters a cell that some images cut, with the pieces of their arcs. A touch that takes nothing of it and
 /// leaves no arc with it makes it fluid; one whose rest is nothing is solid.
-void cut_cell(const Mesh& mesh, Index cell, std::span<const std::pair<Index, Index>> cuts,
+void add_cell(std::shared_ptr<const CutCell> cut, std::span<const Meeting> meetings,
               std::span<const Interface> interfaces, CutMesh& out) {
   constexpr double negligible = 1e-11;  // of the element's area
-  std::vector<const Outline*> here;
-  for (const auto& [c, i] : cuts) here.push_back(&out.images[i].outline);
   const std::size_t before = out.pieces.size();
-  for (std::size_t own = 0; own < here.size(); ++own) {
-    std::vector<const Outline*> others = here;
-    others.erase(others.begin() + own);
-    const Image& image = out.images[cuts[own].second];
-    for (const Interval& stretch : stretches(mesh, cell, *here[own], others))
-      add_pieces(interfaces[image.interface], image, cell, stretch, out);
+  for (const CutCell::Stretch& stretch : cut->stretches) {
+    const Image& image = out.images[meetings[stretch.own].image];
+    add_pieces(interfaces[image.interface], image, cut->cell, stretch, out);
   }
-  CutCell cut{cell, element_points(mesh.corners(cell), here), metric_of(Triangle(mesh.corners(cell)))};
-  cut.metric.area = 1;
   const bool holds_an_arc = out.pieces.size() > before;
-  double left = 0;
-  for (const ElementPoint& point : cut.points) left += point.weight / mesh.area(cell);
-  if (!holds_an_arc && left < negligible)
-    out.state[cell] = CellState::solid;
-  else if (!holds_an_arc && left > 1 - negligible)
-    out.state[cell] = CellState::fluid;
+  if (!holds_an_arc && cut->share < negligible)
+    out.state[cut->cell] = CellState::solid;
+  else if (!holds_an_arc && cut->share > 1 - negligible)
+    out.state[cut->cell] = CellState::fluid;
   else
     out.cut_cells.push_back(std::move(cut));
 }
 
-void collect_ghost_edges(const Mesh& mesh, CutMesh& out) {
+/// The item of that number in a list sorted by it, or null.
+template <class Item>
+std::shared_ptr<const Item> find(const std::vector<std::shared_ptr<const Item>>& items, Index Item::*number,
+                                 Index wanted) {
+  const auto number_of = [&](const auto& item) { return (*item).*number; };
+  const auto found = std::ranges::lower_bound(items, wanted, {}, number_of);
+  return found != items.end() && number_of(*found) == wanted ? *found : nullptr;
+}
+
+void cut_cells(const Mesh& mesh, std::span<const Interface> interfaces, const CutMesh& before, CutMesh& out) {
+  const std::vector<Meeting> meetings = classify(out.images, out.state);
+  for (auto it = meetings.begin(); it != meetings.end();) {
+    const Index cell = it->cell;
+    const auto end = std::find_if(it, meetings.end(), [&](const Meeting& m) { return m.cell != cell; });
+    std::vector<std::shared_ptr<const Footprint>> footprints;
+    for (const Meeting& m : std::span(it, end)) footprints.push_back(out.images[m.image].footprint);
+    auto cut = find(before.cut_cells, &CutCell::cell, cell);
+    if (!cut || cut->footprints != footprints) cut = cut_cell(mesh, cell, std::move(footprints));
+    add_cell(std::move(cut), {it, end}, interfaces, out);
+    it = end;
+  }
+}
+
+void collect_ghost_faces(const Mesh& mesh, const CutMesh& before, CutMesh& out) {
   std::vector<Index> edges;
-  for (const CutCell& cut : out.cut_cells)
-    for (Index e : mesh.cell_edges[cut.cell]) {
+  for (const auto& cut : out.cut_cells)
+    for (Index e : mesh.cell_edges[cut->cell]) {
       const auto [c1, c2] = mesh.edge_cells[e];
       if (c2 != -1 && out.is_active(c1) && out.is_active(c2)) edges.push_back(mesh.owner_of_edge(e));
     }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  out.ghost_edges = std::move(edges);
+  for (const Index e : edges) {
+    auto face = find(before.ghost_faces, &GhostFace::edge, e);
+    out.ghost_faces.push_back(face ? std::move(face) : std::make_shared<GhostFace>(ghost_face(mesh, e)));
+  }
 }
 
-void collect_covered_nodes(const Mesh& mesh, const Locator& locator, CutMesh& out) {
-  for (const auto& [interface, shift, outline] : out.images)
-    for (Index c : cells_near(locator, outline))
-      for (Index node : mesh.cell_nodes(c))
-        if (outline.contains(mesh.node_position(node))) out.covered.push_back({node, interface, shift});
+void collect_covered_nodes(CutMesh& out) {
+  for (const Image& image : out.images)
+    for (const Index node : image.footprint->covered)
+      out.covered.push_back({node, image.interface, image.shift});
   const auto by_node = [](const CoveredNode& a, const CoveredNode& b) { return a.node < b.node; };
   std::stable_sort(out.covered.begin(), out.covered.end(), by_node);
   const auto same = [](const CoveredNode& a, const CoveredNode& b) { return a.node == b.node; };
@@ -146,22 +168,6 @@ void collect_covered_nodes(const Mesh& mesh, const Locator& locator, CutMesh& ou
 }
 
 }  // namespace
-
-std::vector<Image> images(const Period& period, std::span<const Interface> interfaces) {
-  std::vector<Image> out;
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    const Outline& outline = interfaces[i].outline;
-    for (const Vec2& shift : period.shifts(outline.lower(), outline.upper()))
-      out.push_back({static_cast<Index>(i), shift, outline.moved(shift)});
-  }
-  return out;
-}
-
-std::vector<Outline> outlines(std::span<const Image> images) {
-  std::vector<Outline> out;
-  for (const Image& image : images) out.push_back(image.outline);
-  return out;
-}
 
 void measure_multipliers(std::span<const Interface> interfaces, CutMesh& cut) {
   cut.active_length.assign(cut.n_multipliers(), 0);
@@ -173,9 +179,10 @@ void measure_multipliers(std::span<const Interface> interfaces, CutMesh& cut) {
   }
 }
 
-CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces) {
+CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces,
+                 const CutMesh& before) {
   CutMesh out;
-  out.images = images(mesh.period, interfaces);
+  out.images = images(mesh, locator, interfaces, before.images);
   out.state.assign(mesh.n_cells(), CellState::fluid);
   out.first_multiplier.push_back(0);
   for (const Interface& interface : interfaces) {
@@ -185,31 +192,11 @@ CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Inter
     });
     out.first_multiplier.push_back(out.first_multiplier.back() + out.knots.back().size());
   }
-  const auto cuts = classify(mesh, locator, out.images, out.state);
-  for (auto it = cuts.begin(); it != cuts.end();) {
-    const Index cell = it->first;
-    const auto end = std::find_if(it, cuts.end(), [&](const auto& pair) { return pair.first != cell; });
-    cut_cell(mesh, cell, {it, end}, interfaces, out);
-    it = end;
-  }
+  cut_cells(mesh, interfaces, before, out);
   measure_multipliers(interfaces, out);
-  collect_ghost_edges(mesh, out);
-  collect_covered_nodes(mesh, locator, out);
+  collect_ghost_faces(mesh, before, out);
+  collect_covered_nodes(out);
   return out;
-}
-
-double wanted_arc_length(const Mesh& mesh, const Locator& locator, const Outline& outline, double ratio) {
-  double sum = 0;
-  int n = 0;
-  for (const Vec2& shift : mesh.period.shifts(outline.lower(), outline.upper())) {
-    const Outline image = outline.moved(shift);
-    for (Index c : cells_near(locator, image)) {
-      if (position(mesh.corners(c), image) != Position::cut) continue;
-      sum += mesh.size(c);
-      ++n;
-    }
-  }
-  return n == 0 ? 0 : ratio * sum / n;
 }
 
 }  // namespace fpi::fluid

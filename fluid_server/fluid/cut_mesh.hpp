@@ -1,27 +1,21 @@
 /// The mesh as the bodies cut it: which elements are fluid, cut or deactivated (paper, section 2.4),
 /// quadrature of the cut ones over Ω⁺, and the arcs split where they cross mesh edges. Only elements near a
-/// body are looked at.
+/// body that moved are looked at; what belongs to others is shared with the cut mesh before.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "fluid/element.hpp"
+#include "fluid/footprint.hpp"
+#include "fluid/ghost_penalty.hpp"
 #include "fluid/knots.hpp"
-#include "fluid/locator.hpp"
-#include "fluid/mesh.hpp"
 
 namespace fpi::fluid {
 
 enum class CellState : std::uint8_t { fluid, cut, solid };
-
-/// A body as the mesh sees it: once, and again for each periodic side that it reaches over.
-struct Image {
-  Index interface;  ///< index in the list of interfaces
-  Vec2 shift;       ///< from the body to its image, whole periods [m]
-  Outline outline;  ///< shifted
-};
 
 /// A stretch of one arc (or edge) inside one element.
 struct ArcPiece {
@@ -33,10 +27,19 @@ struct ArcPiece {
   Vec2 shift;                        ///< of the image that lies in the element [m]
 };
 
+/// What bodies leave of one cell, the same as long as none of them moves.
 struct CutCell {
+  /// A part of an outline inside the cell and outside all other bodies.
+  struct Stretch {
+    Index own;          ///< whose it is, of the footprints
+    double start, end;  ///< parameters of the outline
+  };
   Index cell;
+  std::vector<std::shared_ptr<const Footprint>> footprints;  ///< of the bodies that cut it
+  std::vector<Stretch> stretches;
   std::vector<ElementPoint> points;  ///< over the fluid part; weights in m²
   Metric<double> metric;             ///< of the straight element, its area 1 m²: weights have it already
+  double share;                      ///< of the cell that is in the fluid
 };
 
 /// A node inside a body, which moves with it.
@@ -48,10 +51,11 @@ struct CoveredNode {
 
 struct CutMesh {
   std::vector<Image> images;
-  std::vector<CellState> state;  ///< of every cell
-  std::vector<CutCell> cut_cells;
+  std::vector<CellState> state;                           ///< of every cell
+  std::vector<std::shared_ptr<const CutCell>> cut_cells;  ///< ascending
   std::vector<ArcPiece> pieces;
-  std::vector<Index> ghost_edges;       ///< between two active cells of which one is cut
+  /// Of the edges between two active cells of which one is cut, ascending.
+  std::vector<std::shared_ptr<const GhostFace>> ghost_faces;
   std::vector<CoveredNode> covered;     ///< nodes inside a body
   std::vector<Knots> knots;             ///< of each interface
   std::vector<Index> first_multiplier;  ///< of each interface; one more entry at the end
@@ -61,16 +65,11 @@ struct CutMesh {
   Index n_multipliers() const { return first_multiplier.back(); }
 };
 
-std::vector<Image> images(const Period& period, std::span<const Interface> interfaces);
-std::vector<Outline> outlines(std::span<const Image> images);
-
 /// Sets the active lengths, by the pieces.
 void measure_multipliers(std::span<const Interface> interfaces, CutMesh& cut);
 
-CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces);
-
-/// Arc length that suits the mesh around an outline: `ratio` times the mean size h of the elements it cuts; 0
-/// outside the mesh.
-double wanted_arc_length(const Mesh& mesh, const Locator& locator, const Outline& outline, double ratio);
+/// The same to the bit whatever was `before`; what bodies that stayed have to do with is taken from there.
+CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces,
+                 const CutMesh& before = {});
 
 }  // namespace fpi::fluid

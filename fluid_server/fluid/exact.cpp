@@ -41,7 +41,7 @@ struct Sums {
 FlowErrors flow_errors(const Mesh& mesh, const CutMesh& cut, const State& state, const ExactFlow& exact,
                        bool without_level) {
   std::map<Index, const CutCell*> cut_cells;
-  for (const CutCell& cell : cut.cut_cells) cut_cells[cell.cell] = &cell;
+  for (const auto& cell : cut.cut_cells) cut_cells[cell->cell] = cell.get();
   Sums sums;
   for (Index c = 0; c < mesh.n_cells(); ++c) {
     if (!cut.is_active(c)) continue;

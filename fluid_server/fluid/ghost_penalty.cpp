@@ -25,6 +25,7 @@ std::array<int, M> merge(std::array<Index, N>& items, const std::array<Index, M>
 GhostFace ghost_face(const Mesh& mesh, Index edge) {
   const auto [cell1, cell2] = mesh.edge_cells[edge];
   GhostFace face{};
+  face.edge = edge;
   const auto nodes1 = mesh.cell_nodes(cell1);
   std::copy(nodes1.begin(), nodes1.end(), face.nodes.begin());
   std::copy_n(nodes1.begin(), 3, face.vertices.begin());

@@ -10,6 +10,7 @@ namespace fpi::fluid {
 
 /// ∫_{T1 ∪ T2} (E1 w − E2 w)(E1 v − E2 v) over the union of the two elements' shape functions.
 struct GhostFace {
+  Index edge;
   std::array<Index, 9> nodes;            ///< P2: six of T1, then the three that only T2 has
   std::array<Index, 4> vertices;         ///< P1: three of T1, then the one that only T2 has
   Eigen::Matrix<double, 9, 9> velocity;  ///< [m²]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace fpi::fluid {
 namespace {
@@ -81,7 +82,8 @@ std::optional<Place> Locator::find(const Vec2& anywhere) const {
   constexpr double round_off = 1e-10, off_the_circle = 1e-2;
   std::optional<Place> best;
   double best_least = -off_the_circle;
-  for (Index c : near(x, x)) {
+  const int bin = row(x.y()) * n_x_ + column(x.x());
+  for (const Index c : std::span(cells_).subspan(first_[bin], first_[bin + 1] - first_[bin])) {
     const bool is_curved = mesh_.is_curved(c);
     const auto l = is_curved ? isoparametric_inverse(mesh_.cell_places(c), x)
                              : Triangle(mesh_.corners(c)).barycentric(x);
@@ -90,6 +92,7 @@ std::optional<Place> Locator::find(const Vec2& anywhere) const {
     if (least < (is_curved ? -off_the_circle : -round_off) || least < best_least) continue;
     best = {c, *l};
     best_least = least;
+    if (least > round_off) break;  // it lies in no other
   }
   return best;
 }

@@ -78,7 +78,8 @@ NewtonResult NavierStokes::start_step(const Request& request) {
     system_ = accepted_system_;
   } else if (!system_ || !system_->same_geometry(request.interfaces)) {
     monitor.phase("interface");
-    system_ = std::make_shared<System>(space_, settings_.fluid, request.interfaces, monitor.ledger);
+    system_ = std::make_shared<System>(space_, settings_.fluid, request.interfaces,
+                                       system_ ? system_->cut() : CutMesh{}, monitor.ledger);
   }
   if (!accepted_system_) check_held(request.time_step == 0);
   start_ = accepted_;
@@ -325,7 +326,7 @@ std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
   if (accepted_system_)
     for (const Image& image :
          accepted_system_->cut().images)  // a point on the outline itself is in the fluid
-      if (image.outline.distance(wrapped) < -1e-6 * std::sqrt(image.outline.area())) return std::nullopt;
+      if (image.outline().distance(wrapped) < -1e-6 * std::sqrt(image.outline().area())) return std::nullopt;
   const Sample here(space_.mesh, *place);
   return std::pair{here.velocity(accepted_.u), here.pressure(accepted_.p)};
 }

@@ -22,7 +22,7 @@ Vec2 superficial_velocity(const Mesh& mesh, const CutMesh& cut, const Vector& u)
   Vec2 sum = Vec2::Zero(), lower = mesh.vertices.front(), upper = lower;
   for (Index c = 0; c < mesh.n_cells(); ++c)
     if (cut.state[c] == CellState::fluid) sum += integral(mesh, c, curved_points(), false, u);
-  for (const CutCell& cell : cut.cut_cells) sum += integral(mesh, cell.cell, cell.points, true, u);
+  for (const auto& cut_cell : cut.cut_cells) sum += integral(mesh, cut_cell->cell, cut_cell->points, true, u);
   for (const Vec2& x : mesh.vertices) {
     lower = lower.cwiseMin(x);
     upper = upper.cwiseMax(x);

@@ -53,7 +53,7 @@ const BlockMask& arc_mask(bool mixed) {
 }  // namespace
 
 System::System(const Space& space, const scene::Fluid& parameters, std::vector<Interface> interfaces,
-               Ledger& ledger)
+               const CutMesh& before, Ledger& ledger)
     : space_(space),
       embedding_(parameters.embedding),
       linear_solver_(parameters.linear_solver),
@@ -61,13 +61,12 @@ System::System(const Space& space, const scene::Fluid& parameters, std::vector<I
       matrix_(0) {
   {
     const ScopedTimer timer(ledger, "interface");
-    cut_ = cut_mesh(space.mesh, space.locator, interfaces_);
+    cut_ = cut_mesh(space.mesh, space.locator, interfaces_, before);
     components_ = find_components(space.mesh, cut_);
     drop_pockets(space.mesh, interfaces_, components_, cut_);
     for (const Interface& interface : interfaces_)
       arc_lengths_.push_back(
           wanted_arc_length(space.mesh, space.locator, interface.outline, embedding_.arc_ratio));
-    for (Index e : cut_.ghost_edges) ghosts_.push_back(ghost_face(space.mesh, e));
   }
   const ScopedTimer timer(ledger, "assembly");
   numbering_ = number_unknowns(space.mesh, space.boundary, cut_, components_);
@@ -83,7 +82,7 @@ void System::order_cells() {
   const Mesh& mesh = space_.mesh;
   std::vector<Index> cut_number(mesh.n_cells(), -1);
   for (std::size_t k = 0; k < cut_.cut_cells.size(); ++k)
-    cut_number[cut_.cut_cells[k].cell] = static_cast<Index>(k);
+    cut_number[cut_.cut_cells[k]->cell] = static_cast<Index>(k);
   enum Kind { straight, curved, single };
   std::vector<std::array<std::vector<Index>, 3>> cells(space_.stripes.n);
   for (Index c = 0; c < mesh.n_cells(); ++c) {
@@ -131,13 +130,13 @@ void System::declare_blocks() {
     matrix_.declare(equations, cell_mask());
   }
   first_ghost_ = matrix_.n_blocks();
-  for (const GhostFace& face : ghosts_) {
+  for (const auto& face : cut_.ghost_faces) {
     equations.clear();
     for (int component = 0; component < 2; ++component)
-      for (Index node : face.nodes) equations.push_back(v[2 * node + component]);
-    matrix_.declare(equations, ghost_mask(has_slip_node(face.nodes)));
+      for (Index node : face->nodes) equations.push_back(v[2 * node + component]);
+    matrix_.declare(equations, ghost_mask(has_slip_node(face->nodes)));
     equations.clear();
-    for (Index vertex : face.vertices) equations.push_back(numbering_.pressure[vertex]);
+    for (Index vertex : face->vertices) equations.push_back(numbering_.pressure[vertex]);
     matrix_.declare(equations, ghost_pressure_mask());
   }
   first_piece_ = matrix_.n_blocks();
@@ -181,7 +180,7 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
 
 Quadrature System::quadrature(std::size_t k) const {
   if (cut_index_[k] < 0) return space_.quadrature(active_cells_[k]);
-  const CutCell& cut = cut_.cut_cells[cut_index_[k]];
+  const CutCell& cut = *cut_.cut_cells[cut_index_[k]];
   return {cut.points, {&cut.metric, 1}};
 }
 

@@ -9,7 +9,6 @@
 #include "fluid/block_matrix.hpp"
 #include "fluid/body_force.hpp"
 #include "fluid/cut_mesh.hpp"
-#include "fluid/ghost_penalty.hpp"
 #include "fluid/kernel.hpp"
 #include "fluid/linear_solver.hpp"
 #include "fluid/numbering.hpp"
@@ -59,8 +58,9 @@ inline constexpr int cell = element_unknowns, ghost = 18, arc = 16;
 
 class System {
  public:
+  /// Takes what bodies that stayed have to do with from the cut mesh `before`.
   System(const Space& space, const scene::Fluid& parameters, std::vector<Interface> interfaces,
-         Ledger& ledger);
+         const CutMesh& before, Ledger& ledger);
 
   const Space& space() const { return space_; }
   const CutMesh& cut() const { return cut_; }
@@ -154,7 +154,6 @@ class System {
   std::vector<Index> active_cells_;
   std::vector<Stretch> stretches_;  // of each stripe
   std::vector<Index> cut_index_;    // of each active cell in cut_.cut_cells, or −1
-  std::vector<GhostFace> ghosts_;
   std::vector<PieceIntegrals> pieces_;
   Vector load_;
   bool has_load_ = false;

@@ -39,9 +39,9 @@ double integrate(const Mesh& mesh, const CutMesh& cut, F f) {
     const Triangle t(mesh.corners(c));
     for (const ElementPoint& p : standard_points()) sum += t.area * p.weight * f(t.point(p.shape.l));
   }
-  for (const CutCell& cell : cut.cut_cells) {
-    const Triangle t(mesh.corners(cell.cell));
-    for (const ElementPoint& p : cell.points) sum += p.weight * f(t.point(p.shape.l));
+  for (const auto& cell : cut.cut_cells) {
+    const Triangle t(mesh.corners(cell->cell));
+    for (const ElementPoint& p : cell->points) sum += p.weight * f(t.point(p.shape.l));
   }
   return sum;
 }
