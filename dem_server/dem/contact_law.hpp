@@ -35,24 +35,24 @@ struct NormalOf {
 };
 using Normal = NormalOf<double>;
 
-/// F = k δ^(3/2), k = 4/3 E* √R* [N/m^(3/2)]. Force and slope are over k, at δ ≥ 0.
+/// F = k δ^(3/2), k = 4/3 E* √R* [N/m^(3/2)]. All else is over k, at δ ≥ 0: dF/dδ, and the amplitude s with
+/// ½ s² = energy.
 struct Hertz {
   template <class Real>
   static Real stiffness(Real modulus, Real radius) {
     return 4.0 / 3 * modulus * sqrt(radius);
   }
   template <class Real>
-  static Real force(Real overlap) {
-    return overlap * sqrt(overlap);
-  }
-  template <class Real>
   static Real slope(Real overlap) {
     return 1.5 * sqrt(overlap);
   }
-  /// s with ½ k s² = energy: √(4/5) δ^(5/4).
   template <class Real>
   static Real amplitude(Real overlap) {
     return std::sqrt(0.8) * overlap * sqrt(sqrt(overlap));
+  }
+  template <class Real>
+  static Real amplitude_slope(Real overlap) {
+    return std::sqrt(1.25) * sqrt(sqrt(overlap));
   }
 };
 
@@ -63,16 +63,16 @@ struct Linear {
     return spring;
   }
   template <class Real>
-  static Real force(Real overlap) {
-    return overlap;
-  }
-  template <class Real>
   static Real slope(Real) {
     return Real{} + 1;
   }
   template <class Real>
   static Real amplitude(Real overlap) {
     return overlap;
+  }
+  template <class Real>
+  static Real amplitude_slope(Real) {
+    return Real{} + 1;
   }
 };
 
@@ -85,24 +85,27 @@ auto with_elastic_law(Elasticity law, Use use) {
   return law == Elasticity::linear ? use(Linear{}) : use(Hertz{});
 }
 
-/// Normal force [N], never attractive: k f(δ) (1 − Δt² k f'(δ)/(12 m*)) + 2 ζ √(k m*) ds/dt.
+/// Normal force [N], never attractive: F(δ) (1 − Δt² F'(δ)/(12 m*)) + 2 ζ √(k m*) ds/dt, F = k s ds/dδ.
 ///
 /// The bracket takes the error Δt²/24 F²/m* out of the Hamiltonian that velocity Verlet keeps (Rowlands 1991;
 /// Takahashi & Imada 1984), so that an impact without damping has time and speed of fourth order.
 /// With the amplitude s as coordinate the damped contact is a linear oscillator (Tsuji 1992; Antypov &
-/// Elliott 2011). The damping of Hertz starts with infinite slope at δ = 0; it is averaged over the sub-step
-/// Δt [s] around now, so that the restitution does not depend on where in a sub-step the contact starts.
+/// Elliott 2011). Both parts have infinite slopes or curvatures at δ = 0; they are means over the sub-step Δt
+/// [s] around now, so that the impact does not depend on where in a sub-step the contact starts.
 template <class Elastic, class Real>
 Real normal_force(const PairLawOf<Real>& law, const NormalOf<Real>& c, double sub_step) {
   const Real k = Elastic::stiffness(law.normal, c.radius);
   const Real compressed = max(c.overlap, Real{});
   const Real softening = sub_step * sub_step / 12 * k / c.mass * Elastic::slope(compressed);
-  const Real half = 0.5 * sub_step * c.rate;
-  const Real mean_rate = (Elastic::amplitude(max(c.overlap + half, Real{})) -
-                          Elastic::amplitude(max(c.overlap - half, Real{}))) /
-                         sub_step;
-  const Real damping = 2 * law.damping_ratio * sqrt(k * c.mass);
-  return max(k * Elastic::force(compressed) * (1 - softening) + damping * mean_rate, Real{});
+  const Real way = sub_step * c.rate;
+  const Real before = Elastic::amplitude(max(c.overlap - 0.5 * way, Real{}));
+  const Real after = Elastic::amplitude(max(c.overlap + 0.5 * way, Real{}));
+  // Where next to nothing moves the difference quotient would be noise.
+  const Real slope = select(max(way, -way) > 1e-5 * compressed, (after - before) / way,
+                            Elastic::amplitude_slope(compressed));
+  const Real elastic = 0.5 * k * (before + after) * slope;
+  const Real damping = 2 * law.damping_ratio * sqrt(k * c.mass) * (after - before) / sub_step;
+  return max(elastic * (1 - softening) + damping, Real{});
 }
 
 /// Spring and dashpot along the surface or about the contact.

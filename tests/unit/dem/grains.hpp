@@ -86,14 +86,28 @@ inline Advanced step(Solver& solver, double time_step, std::span<const Load> loa
   return outcome;
 }
 
+/// What a contact stores along its normal [J].
+inline double stored(const Model& model, const Motions& motions, const Near& near) {
+  const Normal c = normal_state(model, near, motions.velocity);
+  return with_elastic_law(model.elasticity, [&](auto law) {
+    const double s = law.amplitude(std::max(c.overlap, 0.0));
+    return 0.5 * law.stiffness(near.law.normal, c.radius) * s * s;
+  });
+}
+
+/// Kinetic, of height, and stored by overlaps.
 inline double energy(const Solver& solver) {
   const Model& model = solver.model();
   const Motions& m = solver.motions();
   double sum = 0;
-  for (std::size_t i = 0; i < m.position.size(); ++i) {
+  for (std::uint32_t i = 0; i < m.position.size(); ++i) {
     sum += 0.5 * model.bodies.mass[i] * m.velocity[i].squaredNorm() -
            model.bodies.mass[i] * model.gravity.dot(m.position[i]);
-    if (model.bodies.is_free(i)) sum += 0.5 / model.bodies.inverse_inertia[i] * m.spin[i].squaredNorm();
+    if (model.bodies.inverse_inertia[i] > 0)
+      sum += 0.5 / model.bodies.inverse_inertia[i] * m.spin[i].squaredNorm();
+    for (std::uint32_t j = 0; j < i; ++j) sum += stored(model, m, near(model, m.position, Pair{j, i}));
+    for (std::uint32_t w = 0; w < model.walls.size(); ++w)
+      sum += stored(model, m, near(model, m.position, WallPlace{i, w}));
   }
   return sum;
 }
