@@ -58,7 +58,10 @@ std::vector<scene::Wall> make_walls(const std::vector<double>& bounds) {
     std::vector<double> point(3, 0), normal(3, 0);
     point[k / 2] = bounds[k];
     normal[k / 2] = k % 2 == 0 ? 1 : -1;
-    walls.push_back({fmt::format("wall{}", k), point, normal, ""});
+    scene::Wall& wall = walls.emplace_back();
+    wall.name = fmt::format("wall{}", k);
+    wall.point = point;
+    wall.normal = normal;
   }
   return walls;
 }

@@ -53,10 +53,10 @@ std::vector<proto::Motion> write_motions(const Motions& motions) {
 /// What is left out in this scene, and why.
 std::vector<std::string> notes(const Model& model) {
   std::vector<std::string> notes;
-  if (model.walls.empty() && model.bodies.size() == 1) notes.emplace_back("one body and no wall: no contact");
+  if (model.walls.walls.empty() && model.bodies.size() == 1)
+    notes.emplace_back("one body and no wall: no contact");
   notes.emplace_back("sub-steps only while something touches or is about to");
-  if (lists_every_pair(model.bodies))
-    notes.emplace_back("few bodies: every pair is watched, none searched for");
+  if (lists_every_pair(model)) notes.emplace_back("few bodies: every pair is watched, none searched for");
   return notes;
 }
 

@@ -66,6 +66,25 @@ void check_materials(std::string_view list, const std::vector<Group>& groups, co
   }
 }
 
+void check_wall(const Wall& wall, std::size_t axes, const std::string& all_axes, std::size_t i,
+                ParameterVisitor& v) {
+  const bool plane = axes == 2, mesh = wall.shape == "mesh";
+  v.require(wall.shape == "plane" || mesh != plane, key_of("walls", i, "shape"),
+            plane ? "must be \"plane\", \"polyline\" or \"arc\" in a plane scene"
+                  : "must be \"plane\" or \"mesh\" in space");
+  const auto entries = [&](std::size_t size, bool may_be_empty, std::string_view key) {
+    v.require(size == axes || (may_be_empty && size == 0), key_of("walls", i, key), all_axes);
+  };
+  entries(wall.point.size(), wall.shape != "plane", "point");
+  entries(wall.normal.size(), wall.shape != "plane", "normal");
+  entries(wall.centre.size(), wall.shape != "arc", "centre");
+  entries(wall.velocity.size(), true, "velocity");
+  v.require(!plane || wall.spin.size() == 1, key_of("walls", i, "spin"),
+            "must have one entry in a plane scene");
+  v.require(wall.normal.empty() || std::ranges::any_of(wall.normal, [](double n) { return n != 0; }),
+            key_of("walls", i, "normal"), "must not be zero");
+}
+
 void check_dimensions(const Scene& scene, ParameterVisitor& v) {
   if (scene.bodies.empty()) return;
   const bool plane = scene.bodies[0].is_plane();
@@ -84,13 +103,7 @@ void check_dimensions(const Scene& scene, ParameterVisitor& v) {
   const std::string all_axes =
       fmt::format("must have {} entries, as the bodies are {}s", axes, scene.bodies[0].shape);
   v.require(axes == 3 || scene.gravity.size() == axes, "gravity", all_axes);
-  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
-    const auto& [name, point, normal, material] = scene.walls[i];
-    v.require(point.size() == axes, key_of("walls", i, "point"), all_axes);
-    v.require(normal.size() == axes, key_of("walls", i, "normal"), all_axes);
-    v.require(std::ranges::any_of(normal, [](double n) { return n != 0; }), key_of("walls", i, "normal"),
-              "must not be zero");
-  }
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) check_wall(scene.walls[i], axes, all_axes, i, v);
 }
 
 /// The sides of a rectangle that lie in the planes across a periodic axis are no boundaries.

@@ -1,4 +1,4 @@
-/// [dem], [[materials]] and [[walls]]: the grains' contacts.
+/// [dem] and [[materials]]: the grains' contacts.
 #pragma once
 
 #include <array>
@@ -41,21 +41,6 @@ struct Material {
     v.real(
         {"twisting_friction", "", "resistance to spin about the contact's normal: moment at most μ_t R* N"},
         twisting_friction, not_negative());
-  }
-};
-
-/// [[walls]]: a plane; the grains are on the side that the normal points to.
-struct Wall {
-  std::string name;
-  std::vector<double> point, normal;
-  std::string material;
-
-  void declare(ParameterVisitor& v) {
-    v.text({"name", "", "name in reports; unique", true}, name);
-    v.reals({"point", "m", "a point of the plane", true}, point, {2, 3}, any_number());
-    v.reals({"normal", "", "normal towards the grains; need not be a unit vector", true}, normal, {2, 3},
-            any_number());
-    v.text({"material", "", "a name of [[materials]]; empty takes the first"}, material);
   }
 };
 

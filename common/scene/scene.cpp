@@ -28,7 +28,7 @@ void Scene::declare(ParameterVisitor& v) {
   v.table({"dem", "", "how the grains' motion is integrated"}, dem);
   v.tables({"bodies", "", "discs and polygons (plane) or spheres (space), one table each"}, bodies);
   v.tables({"materials", "", "what bodies and walls are made of, for their contacts"}, materials);
-  v.tables({"walls", "", "planes that stop the grains; the fluid does not see them"}, walls);
+  v.tables({"walls", "", "what stops the grains, at rest or moving; the fluid does not see walls"}, walls);
   v.table({"coupling", "", "the implicit staggered iteration of each time step"}, coupling);
   v.table({"output", "", "what is written, and how often"}, output);
   v.tables(

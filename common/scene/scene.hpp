@@ -11,6 +11,7 @@
 #include "scene/dem.hpp"
 #include "scene/fluid.hpp"
 #include "scene/periodic.hpp"
+#include "scene/walls.hpp"
 
 namespace fpi::scene {
 

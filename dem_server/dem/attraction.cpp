@@ -88,7 +88,7 @@ double widest_attraction(const Model& model) {
 
 void add_attractions(const Model& model, const State& state, Forces& forces) {
   if (!model.near_field.acts() && !model.laws.adhesive()) return;
-  each_near(model, state, [&](const Near& near) {
+  each_acting(model, state, widest_attraction(model), [&](const Near& near) {
     const Vec3 force = attraction(model, near) * near.at.normal;
     forces.force[near.a] += force;
     if (!near.wall()) forces.force[near.b] -= force;

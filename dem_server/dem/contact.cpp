@@ -14,6 +14,7 @@ struct Contact {
   Vec3 normal;
   bool wall;
   double arm_a, arm_b;  ///< [m]
+  const WallFrame& frame;
 
   Contact(const Model& model, const Near& near)
       : a(near.a),
@@ -21,19 +22,17 @@ struct Contact {
         normal(near.at.normal),
         wall(near.wall()),
         arm_a(model.bodies.radius[a] + (wall ? 0 : 0.5 * near.at.gap)),
-        arm_b(wall ? 0 : model.bodies.radius[b] + 0.5 * near.at.gap) {}
+        arm_b(wall ? 0 : model.bodies.radius[b] + 0.5 * near.at.gap),
+        frame(near.frame) {}
 
   /// Velocity of a's surface over b's, along the surface [m/s].
   Vec3 sliding(const std::vector<Vec3>& velocity, const std::vector<Vec3>& spin) const {
-    Vec3 v = velocity[a], w = arm_a * spin[a];
-    if (!wall) {
-      v -= velocity[b];
-      w += arm_b * spin[b];
-    }
+    const Vec3 v = velocity[a] - (wall ? frame.velocity : velocity[b]);
+    const Vec3 w = wall ? Vec3(arm_a * (spin[a] - frame.spin)) : Vec3(arm_a * spin[a] + arm_b * spin[b]);
     return along(v) + w.cross(normal);
   }
   /// Spin of a over b [rad/s]: rolling along the surface, twisting along the normal.
-  Vec3 turning(const std::vector<Vec3>& spin) const { return wall ? spin[a] : Vec3(spin[a] - spin[b]); }
+  Vec3 turning(const std::vector<Vec3>& spin) const { return spin[a] - (wall ? frame.spin : spin[b]); }
   Vec3 along(const Vec3& v) const { return v - v.dot(normal) * normal; }
 
   /// `force` on a and its opposite on b: pressed along the normal it has no moment, dragged along the surface
@@ -101,7 +100,8 @@ Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3
   const Bodies& bodies = model.bodies;
   const auto& [normal, gap] = near.at;
   const double Ra = bodies.radius[near.a];
-  if (near.wall()) return {bodies.mass[near.a], Ra, -gap, velocity[near.a].dot(normal)};
+  if (near.wall())
+    return {bodies.mass[near.a], Ra, -gap, (velocity[near.a] - near.frame.velocity).dot(normal)};
   const double Rb = bodies.radius[near.b];
   return {1 / (bodies.inverse_mass[near.a] + bodies.inverse_mass[near.b]), Ra * Rb / (Ra + Rb), -gap,
           (velocity[near.a] - velocity[near.b]).dot(normal)};

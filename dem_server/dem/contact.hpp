@@ -48,20 +48,16 @@ template <class Elastic>
 bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
                  Memory& memory, Forces& forces);
 
-/// Adds every place of a list: near(model, position, place) says where its surfaces are, names(model, place)
-/// whose they are.
+/// Adds one place and counts it where it touches; names(model, place) says whose surfaces they are.
 template <class Elastic, class Place>
-void add_list(const Model& model, const std::vector<Vec3>& position, const Velocities& velocities,
-              const SubStep& sub_step, ContactList<Place>& list, Forces& forces, ContactCount& count) {
-  for (std::size_t p = 0; p < list.places.size(); ++p) {
-    const Near here = near(model, position, list.places[p]);
-    if (!add_contact<Elastic>(model, here, velocities, sub_step, list.memories[p], forces)) continue;
-    const double R = model.bodies.radius[here.a], overlap = -here.at.gap;
-    ++count.touching;
-    count.largest_overlap = std::max(count.largest_overlap, overlap);
-    if (overlap >= (here.wall() ? R : std::min(R, model.bodies.radius[here.b])))
-      count.too_deep = names(model, list.places[p]);
-  }
+void add_place(const Model& model, const Near& here, const Place& place, const Velocities& velocities,
+               const SubStep& sub_step, Memory& memory, Forces& forces, ContactCount& count) {
+  if (!add_contact<Elastic>(model, here, velocities, sub_step, memory, forces)) return;
+  const double R = model.bodies.radius[here.a], overlap = -here.at.gap;
+  ++count.touching;
+  count.largest_overlap = std::max(count.largest_overlap, overlap);
+  if (overlap >= (here.wall() ? R : std::min(R, model.bodies.radius[here.b])))
+    count.too_deep = names(model, place);
 }
 
 }  // namespace fpi::dem

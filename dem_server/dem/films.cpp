@@ -73,7 +73,7 @@ double Films::longest_step(const State& state, const Forces& loads) const {
 void Films::place(const State& state) {
   dampers_.clear();
   if (reach_ == 0) return;
-  each_near(model_, state, [&](const Near& near) {
+  each_acting(model_, state, reach_, [&](const Near& near) {
     const Resistance film = unresolved_film(model_, near, film_gap(model_, near), resolved_gap(near));
     if (film.normal > 0) add_dampers(near, film);
   });
@@ -90,12 +90,16 @@ void Films::add_dampers(const Near& near, const Resistance& film) {
     return (Vec6() << velocity, spin).finished();
   };
   const Vec3& n = near.at.normal;
-  dampers_.push_back({near.a, near.b, film.normal, join(n, Vec3::Zero()), join(-n, Vec3::Zero())});
+  const Vec6 frame = join(near.frame.velocity, near.frame.spin);
+  const auto add = [&](double c, const Vec6& along_a, const Vec6& along_b) {
+    dampers_.push_back({near.a, near.b, c, along_a, along_b, wall ? along_a.dot(frame) : 0});
+  };
+  add(film.normal, join(n, Vec3::Zero()), join(-n, Vec3::Zero()));
   const auto add_along = [&](const Vec3& t) {
     const Vec3 e = n.cross(t);
     const Vec3 slide = (wall ? 1 : (Ra + Rb) / D) * t, roll = (wall ? -1 : (Ra - Rb) / D) * t;
-    dampers_.push_back({near.a, near.b, film.sliding, join(slide, Ra * e), join(-slide, Rb * e)});
-    dampers_.push_back({near.a, near.b, film.rolling, join(roll, Ra * e), join(-roll, -Rb * e)});
+    add(film.sliding, join(slide, Ra * e), join(-slide, Rb * e));
+    add(film.rolling, join(roll, Ra * e), join(-roll, -Rb * e));
   };
   const Vec3 t = model_.plane ? Vec3(-n.y(), n.x(), 0) : n.unitOrthogonal();
   add_along(t);
@@ -147,7 +151,7 @@ void Films::prepare(double duration) {
 void Films::damp(std::vector<Vec3>& velocity, std::vector<Vec3>& spin) const {
   if (empty()) return;
   const auto rate = [&](const Damper& damper) {
-    double sum = 0;
+    double sum = -damper.wall_rate;
     each_body(damper, [&](std::uint32_t i, const Vec6& along) {
       sum += along.head<3>().dot(velocity[i]) + along.tail<3>().dot(spin[i]);
     });

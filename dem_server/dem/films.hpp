@@ -31,11 +31,13 @@ class Films {
 
  private:
   using Vec6 = Eigen::Matrix<double, 6, 1>;  ///< of velocity and spin
-  /// Resists c · (along_a · v_a + along_b · v_b), v the velocity and spin of a body. A wall has no v_b.
+  /// Resists c · (along_a · v_a + along_b · v_b − wall_rate), v the velocity and spin of a body. A wall has
+  /// no v_b.
   struct Damper {
     std::uint32_t a, b;  ///< b = no_body at a wall
     double c;
     Vec6 along_a, along_b;
+    double wall_rate;
   };
   double resolved_gap(const Near& near) const;
   void add_dampers(const Near& near, const Resistance& film);

@@ -55,7 +55,8 @@ class Integration {
         std::isinf(ahead.free_time) ? ahead.free_time : ahead.free_time - ahead.contact_step;
     const double wanted = std::min({left_, before_contact, film_step, model_.largest_sub_step});
     const double within_skin = time_within_skin(model_, state_, loads_);
-    if (within_skin < wanted && neighbours_.origin != motions_.position) return search_neighbours();
+    const bool moved = neighbours_.origin != motions_.position || state_.wall_contacts.moved > 0;
+    if (within_skin < wanted && moved) return search_neighbours();
     const double duration = std::min(wanted, within_skin);
     if (!is_affordable(left_ / duration)) return;
     forces_ = loads_;
@@ -125,6 +126,7 @@ class Integration {
       motions_.position[i] += duration * motions_.velocity[i];
       motions_.orientation[i].turn(duration * motions_.spin[i]);
     }
+    state_.wall_contacts.drift(duration);
   }
 
   /// Velocities after the second half of a sub-step as the forces of its first half would have them: with
@@ -159,6 +161,7 @@ class Integration {
   }
 
   bool moved_beyond_skin() const {
+    if (state_.wall_contacts.moved > 0.5 * neighbours_.skin) return true;
     const double allowed = 0.25 * neighbours_.skin * neighbours_.skin;
     for (std::size_t i = 0; i < motions_.position.size(); ++i) {
       // Written so that a position that is not a number counts as moved.

@@ -45,13 +45,30 @@ void add_body(const Problem& problem, const scene::Body& body, Bodies& bodies) {
   bodies.material.push_back(material_index(problem, "body " + body.name, body.material));
 }
 
-Plane make_wall(const Problem& problem, const scene::Wall& wall) {
+std::vector<Facet> facets_of(const Problem& problem, const scene::Wall& wall) {
+  if (wall.shape == "polyline") return polyline(wall.vertices, wall.closed);
+  if (wall.shape == "arc") return arc(to_eigen(wall.centre), wall.radius, wall.start, wall.end);
+  if (wall.shape == "mesh") {
+    const auto found = problem.meshes.find(wall.file);
+    require(found != problem.meshes.end(), "the triangles of {} are required for wall {}; got none",
+            wall.file, wall.name);
+    return mesh(found->second, wall.scale);
+  }
   const Vec3 normal = to_eigen(wall.normal), point = to_eigen(wall.point);
   const double length = normal.norm();
   require(std::isfinite(length) && length > 0 && point.allFinite(),
           "wall {} must have a finite point and a normal that is not zero; got length {}", wall.name, length);
-  return {wall.name, normal / length, point.dot(normal) / length,
-          material_index(problem, "wall " + wall.name, wall.material)};
+  return {Plane{normal / length, point.dot(normal) / length}};
+}
+
+void add_wall(const Problem& problem, const scene::Wall& wall, Walls& walls) {
+  std::vector<Facet> facets = facets_of(problem, wall);
+  require(!facets.empty(), "wall {} must have a facet with an area; got none in {}", wall.name, wall.file);
+  walls.add({.name = wall.name,
+             .material = material_index(problem, "wall " + wall.name, wall.material),
+             .moves = wall.moves(),
+             .centre = to_eigen(wall.centre)},
+            std::move(facets));
 }
 
 /// Everything that would leave the plane z = 0 of a scene of discs.
@@ -88,7 +105,7 @@ Model make_model(const Problem& problem) {
             body.name);
     add_body(problem, body, model.bodies);
   }
-  for (const auto& wall : problem.walls) model.walls.push_back(make_wall(problem, wall));
+  for (const auto& wall : problem.walls) add_wall(problem, wall, model.walls);
   model.elasticity = problem.dem.contact == "linear" ? Elasticity::linear : Elasticity::hertz;
   model.laws = LawTable(problem.materials, model.elasticity);
   const scene::Lubrication& lubrication = problem.dem.lubrication;

@@ -3,13 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "dem/materials.hpp"
-#include "dem/rotation.hpp"
+#include "dem/walls.hpp"
 #include "scene/bodies.hpp"
 #include "scene/dem.hpp"
+#include "scene/walls.hpp"
 
 namespace fpi::dem {
 
@@ -22,14 +24,7 @@ struct Problem {
   std::vector<scene::Body> bodies;
   std::vector<scene::Material> materials;
   std::vector<scene::Wall> walls;
-};
-
-/// A plane wall: grains are where normal·x > offset.
-struct Plane {
-  std::string name;
-  Vec3 normal;    ///< unit vector
-  double offset;  ///< [m]
-  std::size_t material;
+  std::map<std::string, std::vector<Corners>> meshes;  ///< triangles by the file that walls name
 };
 
 /// Properties; a body that is not free has infinite mass, so that no force moves it.
@@ -65,7 +60,7 @@ struct Model {
   double steps_per_contact = 50;
   double largest_sub_step = 0;  ///< [s]; infinite where the scene sets none
   Bodies bodies;
-  std::vector<Plane> walls;
+  Walls walls;
   Elasticity elasticity = Elasticity::hertz;
   LawTable laws{{}};
   Lubricant lubricant;

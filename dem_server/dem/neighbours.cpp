@@ -9,6 +9,7 @@ namespace fpi::dem {
 namespace {
 
 constexpr std::size_t few = 16;           ///< bodies
+constexpr std::size_t few_facets = 64;    ///< of walls
 constexpr double skin_over_radius = 0.4;  ///< of the mean radius
 
 /// Bodies sorted into cubes no smaller than the reach of any pair.
@@ -75,8 +76,9 @@ class Grid {
   std::vector<std::uint32_t> body_;
 };
 
-double choose_skin(const Bodies& bodies) {
-  if (lists_every_pair(bodies)) return std::numeric_limits<double>::infinity();
+double choose_skin(const Model& model) {
+  const Bodies& bodies = model.bodies;
+  if (lists_every_pair(model)) return std::numeric_limits<double>::infinity();
   const double sum = std::accumulate(bodies.radius.begin(), bodies.radius.end(), 0.0);
   return skin_over_radius * sum / static_cast<double>(bodies.size());
 }
@@ -104,10 +106,12 @@ std::vector<Pair> near_pairs(const Model& model, const std::vector<Vec3>& positi
 
 }  // namespace
 
-bool lists_every_pair(const Bodies& bodies) { return bodies.size() <= few; }
+bool lists_every_pair(const Model& model) {
+  return model.bodies.size() <= few && model.walls.facets.size() <= few_facets;
+}
 
 void search(const Model& model, const std::vector<Vec3>& position, double reach, Neighbours& neighbours) {
-  neighbours.skin = choose_skin(model.bodies);
+  neighbours.skin = choose_skin(model);
   neighbours.reach = reach;
   neighbours.replace(near_pairs(model, position, neighbours.widest_gap()));
   neighbours.origin = position;

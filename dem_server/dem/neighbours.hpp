@@ -26,8 +26,8 @@ struct Neighbours : ContactList<Pair> {
 /// pairs.
 void search(const Model& model, const std::vector<Vec3>& position, double reach, Neighbours& neighbours);
 
-/// True where there are so few bodies that every pair is listed once and for all.
-bool lists_every_pair(const Bodies& bodies);
+/// True where there are so few bodies and facets of walls that every pair is listed once and for all.
+bool lists_every_pair(const Model& model);
 
 /// Where two surfaces are: unit normal from a towards the other, and the gap along it [m], negative where
 /// they overlap.
@@ -43,11 +43,20 @@ inline Separation separation(const Model& model, const std::vector<Vec3>& positi
 
 inline constexpr std::uint32_t no_body = std::numeric_limits<std::uint32_t>::max();
 
+/// How a wall moves where a body is near it: its own frame, in which it is at rest.
+struct WallFrame {
+  Vec3 velocity = Vec3::Zero();  ///< at the body's centre [m/s]
+  Vec3 spin = Vec3::Zero();      ///< [rad/s]
+  double acceleration = 0;       ///< at the body's centre [m/s²]
+  bool straight = true;          ///< a gap is at least what the way along the normal leaves of it
+};
+
 /// Two surfaces near each other, as they are now: of body a and of body b, or of a wall (b = no_body).
 struct Near {
   std::uint32_t a, b;
   Separation at;
   const PairLaw& law;
+  WallFrame frame{};
   bool wall() const { return b == no_body; }
 };
 Near near(const Model& model, const std::vector<Vec3>& position, const Pair& pair);

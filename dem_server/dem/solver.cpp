@@ -1,6 +1,7 @@
 #include "dem/solver.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 
@@ -10,18 +11,37 @@ namespace {
 constexpr double allowed_overlap = 0.01;  ///< at the start, of a radius
 
 template <class Place>
-void check_overlaps(const Model& model, const std::vector<Vec3>& position, const std::vector<Place>& places) {
-  for (const Place& place : places) {
-    const Near here = near(model, position, place);
-    require(here.at.gap > -allowed_overlap * model.bodies.radius[here.a],
-            "bodies must not overlap at the start; got {} m between {}: move one of them", -here.at.gap,
-            names(model, place));
-  }
+void check_overlap(const Model& model, const Near& here, const Place& place) {
+  require(here.at.gap > -allowed_overlap * model.bodies.radius[here.a],
+          "bodies must not overlap at the start; got {} m between {}: move one of them", -here.at.gap,
+          names(model, place));
+}
+
+void check_overlaps(const Model& model, const State& state) {
+  const auto& position = state.motions.position;
+  const WallContacts& walls = state.wall_contacts;
+  for (const Pair& pair : state.neighbours.places) check_overlap(model, near(model, position, pair), pair);
+  for (const WallPlace& place : walls.places)
+    check_overlap(model, near(model, position, walls.motions, place), place);
 }
 
 void check_body(const Model& model, std::uint32_t body, const char* what) {
   require(body < model.bodies.size(), "a {} must be of one of {} bodies; got number {}", what,
           model.bodies.size(), body);
+}
+
+void check_motion(const Prescribed& end, const std::string& owner) {
+  require(end.position.allFinite() && end.velocity.allFinite() && end.spin.allFinite() &&
+              std::abs(end.orientation.norm() - 1) < 1e-6,
+          "the prescribed motion of {} must be finite, with a unit quaternion", owner);
+}
+
+/// The rotation vector [rad] from one orientation to another that is nearest to `expected`.
+Vec3 turn_between(const Quaternion& from, const Quaternion& to, const Vec3& expected) {
+  const Eigen::AngleAxisd turn(to * from.conjugate());
+  const double whole = 2 * std::numbers::pi;
+  const double turns = std::round((turn.axis().dot(expected) - turn.angle()) / whole);
+  return (turn.angle() + turns * whole) * turn.axis();
 }
 
 void check_resolved_gaps(const Model& model, std::span<const double> gaps) {
@@ -36,21 +56,24 @@ void check_resolved_gaps(const Model& model, std::span<const double> gaps) {
 
 Solver::Solver(const Problem& problem) : model_(make_model(problem)) {
   accepted_.motions = initial_motions(problem);
+  accepted_.wall_contacts.motions = at_start(model_.walls);
   find_neighbours(model_, 0, accepted_);
-  check_overlaps(model_, accepted_.motions.position, accepted_.neighbours.places);
-  check_overlaps(model_, accepted_.motions.position, accepted_.wall_contacts.places);
+  check_overlaps(model_, accepted_);
   restore();
 }
 
 Advanced Solver::advance(double time_step, std::span<const Load> loads,
-                         std::span<const Prescribed> prescribed, std::span<const double> resolved_gaps) {
+                         std::span<const Prescribed> prescribed, std::span<const double> resolved_gaps,
+                         std::span<const Prescribed> walls) {
   require(std::isfinite(time_step) && time_step > 0, "a time_step > 0 s is required; got {}", time_step);
   check_resolved_gaps(model_, resolved_gaps);
   restore();
   set_loads(loads);
   start_prescribed(prescribed, time_step);
+  start_walls(walls, time_step);
   const Advanced outcome = integrate(model_, loads_, resolved_gaps, time_step, trial_);
   finish_prescribed(prescribed);
+  finish_walls(walls);
   return outcome;
 }
 
@@ -84,9 +107,7 @@ void Solver::start_prescribed(std::span<const Prescribed> prescribed, double tim
     check_body(model_, end.body, "prescribed motion");
     const std::string& name = model_.bodies.name[end.body];
     require(!model_.bodies.is_free(end.body), "body {} is free and cannot have a prescribed motion", name);
-    require(end.position.allFinite() && end.velocity.allFinite() && end.spin.allFinite() &&
-                std::abs(end.orientation.norm() - 1) < 1e-6,
-            "the prescribed motion of body {} must be finite, with a unit quaternion", name);
+    check_motion(end, "body " + name);
     motions.velocity[end.body] = (end.position - motions.position[end.body]) / time_step;
     motions.spin[end.body] = 0.5 * (accepted_.motions.spin[end.body] + end.spin);
   }
@@ -99,6 +120,30 @@ void Solver::finish_prescribed(std::span<const Prescribed> prescribed) {
     trial_.motions.velocity[end.body] = end.velocity;
     trial_.motions.spin[end.body] = end.spin;
   }
+}
+
+/// Walls turn at the one rate that leads to their orientation at the end: of those a whole turn apart it is
+/// the nearest to the mean of their spins.
+void Solver::start_walls(std::span<const Prescribed> walls, double time_step) {
+  WallMotions& motions = trial_.wall_contacts.motions;
+  for (WallMotion& motion : motions) motion.velocity = motion.spin = Vec3::Zero();
+  for (const Prescribed& end : walls) {
+    require(end.body < motions.size(), "a wall's motion must be of one of {} walls; got number {}",
+            motions.size(), end.body);
+    const Wall& wall = model_.walls.walls[end.body];
+    require(wall.moves, "wall {} has no velocity or spin and cannot move", wall.name);
+    check_motion(end, "wall " + wall.name);
+    WallMotion& motion = motions[end.body];
+    motion.velocity = (end.position - motion.position) / time_step;
+    const Vec3 mean = 0.5 * (accepted_.wall_contacts.motions[end.body].spin + end.spin);
+    motion.spin = turn_between(motion.orientation, end.orientation, time_step * mean) / time_step;
+  }
+  trial_.wall_contacts.speed = largest_speed(model_.walls, motions, trial_.motions.position);
+}
+
+void Solver::finish_walls(std::span<const Prescribed> walls) {
+  for (const Prescribed& end : walls)
+    trial_.wall_contacts.motions[end.body] = {end.position, end.orientation, end.velocity, end.spin};
 }
 
 std::vector<std::uint8_t> Solver::checkpoint() {

@@ -17,9 +17,10 @@ struct Load {
   Vec3 torque = Vec3::Zero();  ///< [N m] about the centre
 };
 
-/// Where a body that is not free is to be at the end of the step; on the way it moves linearly.
+/// Where a body that is not free, or a wall that moves, is to be at the end of the step; on the way it moves
+/// linearly.
 struct Prescribed {
-  std::uint32_t body = 0;
+  std::uint32_t body = 0;        ///< or number of the wall
   Vec3 position = Vec3::Zero();  ///< [m]
   Quaternion orientation = Quaternion::Identity();
   Vec3 velocity = Vec3::Zero();  ///< [m/s]
@@ -33,15 +34,17 @@ class Solver {
   explicit Solver(const Problem& problem);
 
   /// Throws Error for a step that is not > 0 s, a body that does not exist, or numbers that are not finite. A
-  /// body that is not free and not among `prescribed` stays where it is. `resolved_gaps` [m], one a body:
+  /// body that is not free and not among `prescribed` stays where it is, as a wall does that is not among
+  /// `walls`. `resolved_gaps` [m], one a body:
   /// narrower ones the fluid does not resolve; empty where there is no fluid.
   Advanced advance(double time_step, std::span<const Load> loads, std::span<const Prescribed> prescribed = {},
-                   std::span<const double> resolved_gaps = {});
+                   std::span<const double> resolved_gaps = {}, std::span<const Prescribed> walls = {});
   void accept() { accepted_ = trial_; }
   void restore() { trial_ = accepted_; }
 
   /// As the last `advance`, `accept` or `restore` left them.
   const Motions& motions() const { return trial_.motions; }
+  const WallMotions& walls() const { return trial_.wall_contacts.motions; }
   const Model& model() const { return model_; }
 
   /// The accepted state as bytes. Forgets the search for neighbours, which a resumed run does not have, so
@@ -54,6 +57,8 @@ class Solver {
   void set_loads(std::span<const Load> loads);
   void start_prescribed(std::span<const Prescribed> prescribed, double time_step);
   void finish_prescribed(std::span<const Prescribed> prescribed);
+  void start_walls(std::span<const Prescribed> walls, double time_step);
+  void finish_walls(std::span<const Prescribed> walls);
 
   Model model_;
   State accepted_, trial_;

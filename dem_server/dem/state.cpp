@@ -7,9 +7,10 @@
 namespace fpi::dem {
 namespace {
 
-constexpr std::uint64_t magic = 0x33534d4544495046;  // "FPIDEMS3"
+constexpr std::uint64_t magic = 0x34534d4544495046;  // "FPIDEMS4"
 constexpr std::size_t body_size = 13 * sizeof(double);
 constexpr std::size_t contact_size = 2 * sizeof(std::uint32_t) + 7 * sizeof(double);
+constexpr std::size_t wall_size = 10 * sizeof(double);
 
 class Writer : public ByteWriter {
  public:
@@ -46,7 +47,7 @@ class Reader : public ByteReader {
             q.norm());
     return q;
   }
-  /// `count` contacts of a body below `n_first` and another or a wall below `n_second`, in order.
+  /// `count` contacts of a body below `n_first` and another or a facet below `n_second`, in order.
   template <class Place>
   void contacts(std::uint64_t count, std::size_t n_first, std::size_t n_second, ContactList<Place>& list) {
     for (std::size_t p = 0; p < count; ++p) {
@@ -86,17 +87,25 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   Writer write;
   const Motions& motions = state.motions;
   const std::size_t n = motions.position.size();
-  const std::size_t n_pairs = state.neighbours.places.size(), n_walls = state.wall_contacts.places.size();
-  write.bytes.reserve(4 * sizeof(std::uint64_t) + n * body_size + (n_pairs + n_walls) * contact_size);
+  const std::size_t n_pairs = state.neighbours.places.size(), n_touched = state.wall_contacts.places.size();
+  const std::size_t n_walls = state.wall_contacts.motions.size();
+  write.bytes.reserve(5 * sizeof(std::uint64_t) + n * body_size + n_walls * wall_size +
+                      (n_pairs + n_touched) * contact_size);
   write.put(magic);
   write.put(std::uint64_t{n});
   write.put(std::uint64_t{n_pairs});
+  write.put(std::uint64_t{n_touched});
   write.put(std::uint64_t{n_walls});
   for (std::size_t i = 0; i < n; ++i) {
     write.put(motions.position[i]);
     write.put(motions.orientation[i].base);
     write.put(motions.velocity[i]);
     write.put(motions.spin[i]);
+  }
+  for (const WallMotion& wall : state.wall_contacts.motions) {
+    write.put(wall.position);
+    write.put(wall.orientation);
+    write.put(wall.spin);
   }
   write.put(state.neighbours);
   write.put(state.wall_contacts);
@@ -107,15 +116,16 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
   Reader read(bytes);
   require(read.get<std::uint64_t>() == magic, "a state of this DEM is required; got other bytes");
   const auto n = read.get<std::uint64_t>();
-  const auto n_pairs = read.get<std::uint64_t>(), n_walls = read.get<std::uint64_t>();
-  require(n == model.bodies.size(),
-          "a state of {} bodies is required; got {}: resume the scene it was written by", model.bodies.size(),
-          n);
+  const auto n_pairs = read.get<std::uint64_t>(), n_touched = read.get<std::uint64_t>();
+  const auto n_walls = read.get<std::uint64_t>();
+  require(n == model.bodies.size() && n_walls == model.walls.walls.size(),
+          "a state of {} bodies and {} walls is required; got {} and {}: resume the scene it was written by",
+          model.bodies.size(), model.walls.walls.size(), n, n_walls);
   const std::uint64_t most = read.left() / contact_size;
-  require(
-      n_pairs <= most && n_walls <= most && read.left() == n * body_size + (n_pairs + n_walls) * contact_size,
-      "a DEM state of {} bodies and {} contacts has another length than the {} bytes that came", n,
-      n_pairs + n_walls, bytes.size());
+  require(n_pairs <= most && n_touched <= most &&
+              read.left() == n * body_size + n_walls * wall_size + (n_pairs + n_touched) * contact_size,
+          "a DEM state of {} bodies and {} contacts has another length than the {} bytes that came", n,
+          n_pairs + n_touched, bytes.size());
   State state;
   for (std::size_t i = 0; i < n; ++i) {
     state.motions.position.push_back(read.vector());
@@ -123,8 +133,14 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
     state.motions.velocity.push_back(read.vector());
     state.motions.spin.push_back(read.vector());
   }
+  for (std::size_t w = 0; w < n_walls; ++w) {
+    WallMotion& wall = state.wall_contacts.motions.emplace_back();
+    wall.position = read.vector();
+    wall.orientation = read.quaternion();
+    wall.spin = read.vector();
+  }
   read.contacts(n_pairs, n, n, state.neighbours);
-  read.contacts(n_walls, n, model.walls.size(), state.wall_contacts);
+  read.contacts(n_touched, n, model.walls.facets.size(), state.wall_contacts);
   for (const Pair& pair : state.neighbours.places)
     require(pair.a < pair.b, "the DEM's state has a pair {} and {} that is out of order", pair.a, pair.b);
   if (model.plane) check_plane(model, state.motions);

@@ -22,12 +22,22 @@ void find_neighbours(const Model& model, double reach, State& state);
 /// Keeps only contacts with a memory and makes a search due: what a resumed run starts from.
 void forget_search(State& state);
 
-/// Calls visit(near) for every pair and every wall that a body is near.
+/// Calls visit(near) for every pair and every facet of a wall that a body is near.
 template <class Visit>
 void each_near(const Model& model, const State& state, Visit visit) {
   const auto& position = state.motions.position;
   for (const Pair& pair : state.neighbours.places) visit(near(model, position, pair));
-  for (const WallPlace& place : state.wall_contacts.places) visit(near(model, position, place));
+  for (const WallPlace& place : state.wall_contacts.places)
+    visit(near(model, position, state.wall_contacts.motions, place));
+}
+
+/// The same, but of walls only the places that a body can touch by themselves, with a gap of at most `reach`
+/// [m]: what acts through gaps acts once where facets join.
+template <class Visit>
+void each_acting(const Model& model, const State& state, double reach, Visit visit) {
+  const auto& position = state.motions.position;
+  for (const Pair& pair : state.neighbours.places) visit(near(model, position, pair));
+  each_own_place(model, position, state.wall_contacts, reach, visit);
 }
 
 /// A state whose search was forgotten, as bytes.

@@ -12,9 +12,22 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// v_a − v_b of a vector that bodies have, v_a at a wall.
+/// How fast a gap may close, and how fast that may grow.
+struct Approach {
+  double speed;         ///< [m/s]
+  double acceleration;  ///< [m/s²]
+};
+
+/// Along the normal while that bounds the gap; else, at a round wall or one that turns, as if all motion in
+/// the frame of the wall went into it.
+Approach approach(const Near& near, const Vec3& velocity, const Vec3& acceleration) {
+  if (near.frame.straight) return {velocity.dot(near.at.normal), acceleration.dot(near.at.normal)};
+  return {velocity.norm(), acceleration.norm() + near.frame.acceleration};
+}
+
+/// v_a − v_b, or v_a in the frame of the wall [m/s].
 Vec3 relative(const std::vector<Vec3>& v, const Near& near) {
-  return near.wall() ? v[near.a] : Vec3(v[near.a] - v[near.b]);
+  return v[near.a] - (near.wall() ? near.frame.velocity : v[near.b]);
 }
 
 /// Sub-step of two surfaces that meet with `speed` [m/s]; damping above ζ = 1 is stiffer than the spring.
@@ -51,10 +64,12 @@ Outlook look_ahead(const Model& model, const State& state, const Forces& loads, 
   each_near(model, state, [&](const Near& near) {
     const Normal normal = normal_state(model, near, velocity);
     const Vec3 acceleration = relative_acceleration(model, loads, near);
+    const Vec3 meets_with = relative(velocity, near);
+    const Approach closing = approach(near, meets_with, acceleration);
     const double reach = std::max(attraction_reach(model, near), 0.0);
-    const double meeting = time_to_close(near.at.gap - reach, normal.rate, acceleration.dot(near.at.normal));
+    const double meeting = time_to_close(near.at.gap - reach, closing.speed, closing.acceleration);
     if (std::isinf(meeting)) return;
-    const double speed = relative(velocity, near).norm() + acceleration.norm() * horizon;
+    const double speed = meets_with.norm() + acceleration.norm() * horizon;
     double step = contact_step(model, near.law, normal, speed);
     if (reach > 0) step = std::min(step, attraction_step(model, near, normal.mass));
     if (meeting >= horizon + step) return;
@@ -67,7 +82,7 @@ Outlook look_ahead(const Model& model, const State& state, const Forces& loads, 
 double time_within_skin(const Model& model, const State& state, const Forces& loads) {
   const auto& [motions, neighbours, walls] = state;
   if (std::isinf(neighbours.skin)) return never;
-  double time = never;
+  double time = walls.speed > 0 ? std::max(0.0, 0.5 * neighbours.skin - walls.moved) / walls.speed : never;
   for (std::size_t i = 0; i < motions.position.size(); ++i) {
     const double left = 0.5 * neighbours.skin - (motions.position[i] - neighbours.origin[i]).norm();
     const double acceleration = model.bodies.inverse_mass[i] * loads.force[i].norm();

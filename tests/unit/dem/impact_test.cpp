@@ -27,10 +27,10 @@ Impact follow(const Problem& problem, double t_c) {
   const Model& model = solver.model();
   const auto state = [&] {
     const bool wall = model.bodies.size() == 1;
-    return normal_state(
-        model,
-        wall ? near(model, motions.position, WallPlace{0, 0}) : near(model, motions.position, Pair{0, 1}),
-        motions.velocity);
+    return normal_state(model,
+                        wall ? near(model, motions.position, solver.walls(), WallPlace{0, 0})
+                             : near(model, motions.position, Pair{0, 1}),
+                        motions.velocity);
   };
   const double dt = t_c / 50 * (1 - 1e-9);
   const Normal start = state();
