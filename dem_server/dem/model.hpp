@@ -24,7 +24,7 @@ struct Problem {
   std::vector<scene::Body> bodies;
   std::vector<scene::Material> materials;
   std::vector<scene::Wall> walls;
-  std::map<std::string, std::vector<Corners>> meshes;  ///< triangles by the file that walls name
+  std::map<std::string, std::vector<Corners>> meshes{};  ///< triangles by the file that walls name
 };
 
 /// Properties; a body that is not free has infinite mass, so that no force moves it.
