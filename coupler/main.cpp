@@ -24,8 +24,8 @@ void listen_to_signals() {
 }
 
 int check_scene(const SessionOptions& options) {
-  const scene::Scene scene = scene::read_file(options.scene, options.overrides);
-  read_mesh(scene, options.scene);
+  scene::Scene scene = scene::read_file(options.scene, options.overrides);
+  read_files(scene, options.scene);
   std::printf("%s: ok, \"%s\"\n", options.scene.c_str(), scene.title.c_str());
   return 0;
 }

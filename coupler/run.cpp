@@ -21,8 +21,8 @@ Run::Run(const scene::Scene& scene, Participants participants, std::string folde
   };
 }
 
-void Run::start(const MeshFile& mesh) {
-  simulation_.configure(mesh, {});
+void Run::start(const Files& files) {
+  simulation_.configure(files, {});
   recorder_.emplace(scene_, folder_);
   if (!scene_.time.steady && window_.step() != scene_.time.step) {
     log::info("the time step is {} s instead of {} s (time.step), so that output times and the end are hit",
@@ -30,8 +30,8 @@ void Run::start(const MeshFile& mesh) {
   }
 }
 
-void Run::resume(const MeshFile& mesh, const Checkpoint& checkpoint) {
-  simulation_.configure(mesh, checkpoint.participants);
+void Run::resume(const Files& files, const Checkpoint& checkpoint) {
+  simulation_.configure(files, checkpoint.participants);
   simulation_.set_numbers(checkpoint.simulation);
   window_.set_state(checkpoint.time_window);
   fields_time_ = window_.start();  // a fluid has none of its resumed state: it knows no bodies before a step

@@ -32,9 +32,9 @@ class Run {
   Run& operator=(const Run&) = delete;
 
   /// Configures the participants and begins at t = 0 with new result files.
-  void start(const MeshFile& mesh);
+  void start(const Files& files);
   /// Configures the participants as the checkpoint has them and continues there.
-  void resume(const MeshFile& mesh, const Checkpoint& checkpoint);
+  void resume(const Files& files, const Checkpoint& checkpoint);
 
   /// To the end. Throws Error with the reason where that cannot be reached; results up to there are in the
   /// files.

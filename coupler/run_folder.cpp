@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <system_error>
 
 #include "core/error.hpp"
@@ -24,19 +25,30 @@ namespace {
 constexpr std::array results{"fields.h5",   "fields.xdmf",  "bodies.h5",    "interface.h5",
                              "history.csv", "summary.json", "checkpoint.h5"};
 
+proto::Bytes read_bytes(const fs::path& path, const std::string& scene_file) {
+  std::ifstream file(path, std::ios::binary);
+  proto::Bytes bytes{std::istreambuf_iterator<char>(file), {}};
+  require(file.good() || (file.eof() && !bytes.empty()),
+          "a file is required at {}, as {} names it beside itself; it is missing, empty or cannot be read",
+          path.string(), scene_file);
+  return bytes;
+}
+
 }  // namespace
 
-MeshFile read_mesh(const scene::Scene& scene, const std::string& scene_file) {
-  if (!scene.fluid || scene.fluid->mesh.file.empty()) return {};
-  const fs::path path = fs::path(scene_file).parent_path() / scene.fluid->mesh.file;
-  std::ifstream file(path, std::ios::binary);
-  MeshFile mesh{.name = path.filename(), .bytes = {std::istreambuf_iterator<char>(file), {}}};
-  require(file.good() || (file.eof() && !mesh.bytes.empty()),
-          "a mesh file is required at {} (fluid.mesh.file in {}, beside the scene); it is missing, empty or "
-          "cannot be "
-          "read",
-          path.string(), scene_file);
-  return mesh;
+Files read_files(scene::Scene& scene, const std::string& scene_file) {
+  Files files;
+  std::map<std::string, fs::path> paths;
+  for (std::string* name : scene::file_names(scene)) {
+    const fs::path path = fs::path(scene_file).parent_path() / *name;
+    *name = path.filename();
+    const auto [known, is_new] = paths.emplace(*name, path);
+    require(known->second == path,
+            "files with different names are required; {} names both {} and {}: rename one", scene_file,
+            known->second.string(), path.string());
+    if (is_new) files.push_back({*name, read_bytes(path, scene_file)});
+  }
+  return files;
 }
 
 void make_folder(const std::string& folder) {
@@ -66,18 +78,15 @@ bool is_completed(const std::string& folder) {
   return says_completed({std::istreambuf_iterator<char>(file), {}});
 }
 
-void fill_folder(const std::string& folder, scene::Scene& scene, const MeshFile& mesh) {
+void fill_folder(const std::string& folder, const scene::Scene& scene, const Files& files) {
   for (const char* name : results) {
     std::error_code error;
     fs::remove(fs::path(folder) / name, error);
     require(!error, "a folder that can be written is required; {}/{} cannot be removed: {}", folder, name,
             error.message());
   }
-  if (!mesh.name.empty()) {
-    output::replace_text(folder + "/" + mesh.name,
-                         {reinterpret_cast<const char*>(mesh.bytes.data()), mesh.bytes.size()});
-    scene.fluid->mesh.file = mesh.name;
-  }
+  for (const auto& [name, bytes] : files)
+    output::replace_text(folder + "/" + name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   output::replace_text(folder + "/scene.toml", scene::write_text(scene));
 }
 

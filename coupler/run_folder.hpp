@@ -1,5 +1,5 @@
-/// What a run folder holds besides results: the scene as run with its mesh beside it, so that the folder
-/// alone is enough to resume, and no result of an older run.
+/// What a run folder holds besides results: the scene as run with the files it names beside it, so that the
+/// folder alone is enough to resume, and no result of an older run.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace fpi {
 
-/// The mesh that `scene`, read from `scene_file`, names. Throws Error where it cannot be read.
-MeshFile read_mesh(const scene::Scene& scene, const std::string& scene_file);
+/// The files that the scene, read from `scene_file`, names, looked for beside it. From here on the scene
+/// names them without their folder. Throws Error where one cannot be read, or where two would have one name.
+Files read_files(scene::Scene& scene, const std::string& scene_file);
 
 /// Makes the folder where it is missing. Throws Error where that is not possible.
 void make_folder(const std::string& folder);
@@ -31,8 +32,7 @@ class FolderLock {
 /// Whether the summary in the folder says that its run reached the end.
 bool is_completed(const std::string& folder);
 
-/// Removes the results of an older run; writes scene.toml and the mesh. The scene then names the mesh in the
-/// folder.
-void fill_folder(const std::string& folder, scene::Scene& scene, const MeshFile& mesh);
+/// Removes the results of an older run; writes scene.toml and the files it names.
+void fill_folder(const std::string& folder, const scene::Scene& scene, const Files& files);
 
 }  // namespace fpi

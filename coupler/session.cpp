@@ -86,7 +86,7 @@ class Session {
     const std::string file = options_.resume ? options_.folder + "/scene.toml" : options_.scene;
     scene_ = scene::read_file(file, options_.overrides);
     plan_ = make_plan(scene_);
-    mesh_ = read_mesh(scene_, file);
+    files_ = read_files(scene_, file);
     if (!options_.resume) return;
     require(!is_completed(options_.folder), "nothing to resume: the run reached its end");
     checkpoint_ = read_checkpoint(options_.folder, plan_.scene_fingerprint);
@@ -104,7 +104,7 @@ class Session {
 
   /// From here on the folder tells of this run.
   void begin() {
-    if (!options_.resume) fill_folder(options_.folder, scene_, mesh_);
+    if (!options_.resume) fill_folder(options_.folder, scene_, files_);
     began_ = true;
     // Should this process be killed, this is what the folder says.
     summary_.reason = "the run is under way, or it ended without a word";
@@ -141,10 +141,10 @@ class Session {
 
   void march() {
     if (checkpoint_) {
-      run_->resume(mesh_, *checkpoint_);
+      run_->resume(files_, *checkpoint_);
       checkpoint_.reset();  // it can be large
     } else {
-      run_->start(mesh_);
+      run_->start(files_);
     }
     run_->march();
   }
@@ -214,7 +214,7 @@ class Session {
   const std::uint64_t number_ = random_run_number();
   std::optional<Checkpoint> checkpoint_;  ///< to resume from
   bool began_ = false;
-  MeshFile mesh_;
+  Files files_;
   std::unique_ptr<proto::Host> host_;
   std::optional<RemoteFluid> fluid_;
   std::optional<RemoteDem> dem_;

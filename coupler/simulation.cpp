@@ -23,7 +23,7 @@ void log_notes(const char* role, const proto::Configured& configured) {
 }
 
 /// The scene as the fluid gets it, which knows of refinements only, not of the motion of bodies.
-std::string scene_for_fluid(const scene::Scene& scene) {
+scene::Scene scene_for_fluid(const scene::Scene& scene) {
   coupling::MeshAroundBodies around = coupling::mesh_around_bodies(scene);
   for (const std::string& note : around.notes) log::info("mesh: {}", note);
   scene::Scene refined = scene;
@@ -31,7 +31,17 @@ std::string scene_for_fluid(const scene::Scene& scene) {
   mesh.elements_per_diameter = 0;
   mesh.free_bodies_box.clear();
   std::ranges::move(around.refinements, std::back_inserter(mesh.refinements));
-  return scene::part_for(scene::Part::fluid, refined);
+  return scene::part_of(scene::Part::fluid, refined);
+}
+
+/// What a participant that plays in `part` of the scene is sent.
+proto::Configure configuration(scene::Scene part, const Files& files, proto::Bytes state) {
+  proto::Configure message{.scene = scene::write_text(part), .files = {}, .state = std::move(state)};
+  const std::vector<std::string*> names = scene::file_names(part);
+  std::ranges::copy_if(files, std::back_inserter(message.files), [&names](const proto::File& file) {
+    return std::ranges::any_of(names, [&file](const std::string* name) { return *name == file.name; });
+  });
+  return message;
 }
 
 proto::Bytes state_of(const StatesByRole& states, const char* role) {
@@ -62,21 +72,17 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
   accepted_.loads.resize(scene.bodies.size());
 }
 
-void Simulation::configure(const MeshFile& mesh, const StatesByRole& states) {
+void Simulation::configure(const Files& files, const StatesByRole& states) {
   if (participants_.fluid) {
-    const proto::Configured configured = participants_.fluid->configure({.scene = scene_for_fluid(scene_),
-                                                                         .mesh_name = mesh.name,
-                                                                         .mesh = mesh.bytes,
-                                                                         .state = state_of(states, "fluid")});
+    const proto::Configured configured = participants_.fluid->configure(
+        configuration(scene_for_fluid(scene_), files, state_of(states, "fluid")));
     log_notes("fluid", configured);
     take_arc_lengths(configured.arc_lengths);
     if (configured.resolved_gap_ratio > 0) resolved_gap_ratio_ = configured.resolved_gap_ratio;
   }
   if (participants_.dem) {
-    log_notes("dem", participants_.dem->configure({.scene = scene::part_for(scene::Part::dem, scene_),
-                                                   .mesh_name = "",
-                                                   .mesh = {},
-                                                   .state = state_of(states, "dem")}));
+    log_notes("dem", participants_.dem->configure(configuration(scene::part_of(scene::Part::dem, scene_),
+                                                                files, state_of(states, "dem"))));
   }
 }
 

@@ -29,10 +29,8 @@ struct Participants {
 /// Arrays of numbers by name, for a checkpoint.
 using NumbersByName = std::map<std::string, std::vector<double>>;
 
-struct MeshFile {
-  std::string name;  ///< "" where the scene has none
-  proto::Bytes bytes;
-};
+/// The contents of all files that the scene names.
+using Files = std::vector<proto::File>;
 /// A participant's own state by role, for a checkpoint.
 using StatesByRole = std::map<std::string, proto::Bytes>;
 
@@ -56,7 +54,7 @@ class Simulation {
   Simulation(const scene::Scene& scene, Participants participants, std::uint64_t run);
 
   /// Sends every participant its part of the scene, and its state where a run is resumed.
-  void configure(const MeshFile& mesh, const StatesByRole& states);
+  void configure(const Files& files, const StatesByRole& states);
 
   /// Tries the step from `start` to `end` [s] of size `time_step` [s] (0: the steady state), always from the
   /// last accepted state. Either `accept` or `restore` must follow.

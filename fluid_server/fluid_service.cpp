@@ -74,9 +74,9 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
     require(scene_.fluid.has_value(),
             "a scene with [fluid] is required; got one without: start no fluid for it");
     check_dimension(scene_);
-    const std::string_view text(reinterpret_cast<const char*>(message.mesh.data()), message.mesh.size());
-    solver_.emplace(scene_mesh(scene_.fluid->mesh, scene_.periodic, message.mesh_name, text),
-                    settings(scene_));
+    const std::string& mesh_name = scene_.fluid->mesh.file;
+    const std::string_view text = mesh_name.empty() ? "" : proto::content(message.files, mesh_name);
+    solver_.emplace(scene_mesh(scene_.fluid->mesh, scene_.periodic, text), settings(scene_));
   }
   solver_->monitor.ledger = std::move(ledger);
   solver_->monitor.phase = [this](const char* phase) { progress.set(phase); };

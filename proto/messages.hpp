@@ -47,12 +47,16 @@ struct Welcome {
 struct Refusal {
   std::string reason{};
 };
+/// A file that the scene names: a mesh, a table of grains.
+struct File {
+  std::string name{};  ///< as in the scene
+  Bytes bytes{};
+};
 /// The participant's part of the scene.
 struct Configure {
-  std::string scene{};      ///< TOML, all defaults filled in
-  std::string mesh_name{};  ///< file name of the mesh, "" where there is none
-  Bytes mesh{};             ///< its bytes
-  Bytes state{};            ///< of State, when a run is resumed; else empty
+  std::string scene{};        ///< TOML, all defaults filled in
+  std::vector<File> files{};  ///< all that it names
+  Bytes state{};              ///< of State, when a run is resumed; else empty
 };
 /// The length of arc or edge [m] that the fluid wants for the interface mesh of a body at its place now.
 struct ArcLength {

@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <type_traits>
 
 #include "core/error.hpp"
@@ -118,6 +119,13 @@ int take_part(Solver& solver, const std::string& role, const Connection& connect
 }
 
 }  // namespace
+
+std::string_view content(const std::vector<File>& files, const std::string& name) {
+  const auto found = std::ranges::find(files, name, &File::name);
+  require(found != files.end(),
+          "the file {} is required, as the scene names it; it was not sent with the scene", name);
+  return {reinterpret_cast<const char*>(found->bytes.data()), found->bytes.size()};
+}
 
 int serve(FluidParticipant& fluid, const Connection& connection) {
   return take_part<FluidAdvance>(fluid, "fluid", connection);

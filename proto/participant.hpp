@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "proto/messages.hpp"
@@ -59,6 +60,9 @@ class DemParticipant : public Participant {
  public:
   virtual DemAdvanced advance(const Stamp&, const DemAdvance&) = 0;
 };
+
+/// The content of the file of that name among those sent. Throws Error where it is missing.
+std::string_view content(const std::vector<File>& files, const std::string& name);
 
 /// How a participant finds its coupler.
 struct Connection {

@@ -16,6 +16,34 @@ namespace fpi::scene {
 
 using Vec3 = std::array<double, 3>;  ///< plane scenes leave z = 0; a plane spin is the z component
 
+inline constexpr std::array<std::string_view, 3> motions{"free", "fixed", "prescribed"};
+
+/// What one of [[bodies]] and a group of [[grains]] say alike: density, motion and material.
+template <class Group>
+void declare_motion(ParameterVisitor& v, Group& g) {
+  const std::size_t axes = g.axes(), spins = g.is_plane() ? 1 : 3;
+  v.real({"density", "kg/m³", "density; needed where it moves freely"}, g.density, not_negative());
+  g.velocity.resize(axes);  // the defaults, zero, take the length that the shape asks for
+  g.spin.resize(spins);
+  v.reals({"velocity", "m/s", "velocity of the centre at the start"}, g.velocity, {axes, axes}, any_number());
+  v.reals({"spin", "rad/s", "spin at the start: [ω] in the plane, three entries of a sphere"}, g.spin,
+          {spins, spins}, any_number());
+  v.choice({"motion", "", "free: moved by the DEM; fixed: held; prescribed: moves by formulas of t"}, g.motion,
+           motions);
+  v.formulas({"prescribed_velocity", "m/s", "velocity as formulas of t, for motion = \"prescribed\""},
+             g.prescribed_velocity, {0, 3});
+  v.formula({"prescribed_spin", "rad/s", "spin about z as a formula of t, for motion = \"prescribed\""},
+            g.prescribed_spin);
+  v.text({"material", "", "a name of [[materials]]; empty takes the first"}, g.material);
+  v.require(g.motion != "prescribed" || g.prescribed_velocity.size() == axes, "prescribed_velocity",
+            "must have a formula for each axis where motion = \"prescribed\"");
+  v.require(g.motion == "prescribed" || (g.prescribed_velocity.empty() && g.prescribed_spin == "0"),
+            g.prescribed_velocity.empty() ? "prescribed_spin" : "prescribed_velocity",
+            "goes with motion = \"prescribed\" only: remove it or change the motion");
+  v.require(g.motion != "free" || g.density > 0, "density",
+            "must be > 0 kg/m³ for a body that moves freely (motion = \"free\")");
+}
+
 /// [[bodies]]
 struct Body {
   std::string name;
@@ -32,7 +60,6 @@ struct Body {
   std::string material;  ///< a name of [[materials]]; "" takes the first, or none where nothing touches
 
   static constexpr std::array<std::string_view, 3> shapes{"disc", "polygon", "sphere"};
-  static constexpr std::array<std::string_view, 3> motions{"free", "fixed", "prescribed"};
 
   void declare(ParameterVisitor& v) {
     v.text({"name", "", "name in reports and results; unique", true}, name);
@@ -48,31 +75,11 @@ struct Body {
                                 : vertices.empty() ? ""
                                                    : "goes with shape = \"polygon\" only: remove it";
     v.require(problem.empty(), "vertices", problem);
-    v.real({"density", "kg/m³", "density of the body; needed for free bodies"}, density, not_negative());
-    const std::size_t axes = is_plane() ? 2 : 3, spins = is_plane() ? 1 : 3;
-    velocity.resize(axes);  // the defaults, zero, take the length that the shape asks for
-    spin.resize(spins);
     v.reals({"position", "m", "centre at the start: [x, y] in the plane, [x, y, z] of a sphere", true},
-            position, {axes, axes}, any_number());
-    v.reals({"velocity", "m/s", "velocity of the centre at the start"}, velocity, {axes, axes}, any_number());
-    v.reals({"spin", "rad/s", "spin at the start: [ω] in the plane, three entries of a sphere"}, spin,
-            {spins, spins}, any_number());
-    v.choice({"motion", "", "free: moved by the DEM; fixed: held; prescribed: moves by formulas of t"},
-             motion, motions);
-    v.formulas({"prescribed_velocity", "m/s", "velocity as formulas of t, for motion = \"prescribed\""},
-               prescribed_velocity, {0, 3});
-    v.formula({"prescribed_spin", "rad/s", "spin about z as a formula of t, for motion = \"prescribed\""},
-              prescribed_spin);
-    v.text({"material", "", "a name of [[materials]]; empty takes the first"}, material);
-    v.require(motion != "prescribed" || prescribed_velocity.size() == axes, "prescribed_velocity",
-              "must have a formula for each axis where motion = \"prescribed\"");
-    v.require(motion == "prescribed" || (prescribed_velocity.empty() && prescribed_spin == "0"),
-              prescribed_velocity.empty() ? "prescribed_spin" : "prescribed_velocity",
-              "goes with motion = \"prescribed\" only: remove it or change the motion");
+            position, {axes(), axes()}, any_number());
+    declare_motion(v, *this);
     v.require(!polygon || motion != "free", "motion",
               "must be \"fixed\" or \"prescribed\" for a polygon: there is no contact law for polygons yet");
-    v.require(motion != "free" || density > 0, "density",
-              "must be > 0 kg/m³ for a body that moves freely (motion = \"free\")");
   }
 
   bool is_free() const { return motion == "free"; }
@@ -83,6 +90,7 @@ struct Body {
     return is_free() || (motion == "prescribed" && (travels || turns));
   }
   bool is_plane() const { return shape != "sphere"; }
+  std::size_t axes() const { return is_plane() ? 2 : 3; }
   /// Volume [m³] of the body seen with radius r; a disc or polygon is a cylinder of the scene's thickness.
   double volume(double r, double thickness) const {
     if (shape == "polygon") return std::abs(signed_area(vertices)) * thickness;

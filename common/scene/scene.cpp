@@ -51,7 +51,7 @@ bool Scene::moves() const {
   return std::ranges::any_of(bodies, [](const Body& body) { return body.changes_place(); });
 }
 
-std::string part_for(Part part, const Scene& scene) {
+Scene part_of(Part part, const Scene& scene) {
   Scene p = scene;  // materials stay on both sides, so that the bodies' references to them hold
   p.coupling = {};
   p.output = {};
@@ -71,7 +71,16 @@ std::string part_for(Part part, const Scene& scene) {
     p.profiles.clear();
     p.exact.reset();
   }
-  return write_text(p);
+  return p;
+}
+
+std::vector<std::string*> file_names(Scene& scene) {
+  std::vector<std::string*> names;
+  const auto add = [&names](std::string& name) {
+    if (!name.empty()) names.push_back(&name);
+  };
+  if (scene.fluid) add(scene.fluid->mesh.file);
+  return names;
 }
 
 std::uint64_t fingerprint(const Scene& scene) { return fnv1a(write_text(scene)); }

@@ -1,5 +1,5 @@
 /// A scene: everything a run needs, as declared in the groups beside this file. Only the coupler reads the
-/// file; a participant gets its part (`part_for`) as text with all defaults filled in and reads that.
+/// file; a participant gets its part (`part_of`) as text with all defaults filled in and reads that.
 #pragma once
 
 #include <optional>
@@ -183,8 +183,10 @@ Scene read_text(const std::string& text, const std::string& name,
                 const std::vector<std::string>& overrides = {});
 /// The scene as TOML with every default filled in.
 std::string write_text(const Scene& scene);
-/// The scene without what concerns the other role, as TOML; the mesh file's name stays, its bytes go beside.
-std::string part_for(Part part, const Scene& scene);
+/// The scene without what concerns the other role only.
+Scene part_of(Part part, const Scene& scene);
+/// The keys that name files, those left empty apart: the contents go beside the scene.
+std::vector<std::string*> file_names(Scene& scene);
 /// FNV-1a hash of `write_text`.
 std::uint64_t fingerprint(const Scene& scene);
 /// All parameters with unit, bounds, default and sentence, as Markdown (docs/scene_reference.md).

@@ -34,14 +34,11 @@ Period period(const scene::Periodic& periodic) {
 
 }  // namespace
 
-Mesh scene_mesh(const scene::Mesh& parameters, const scene::Periodic& periodic, const std::string& file_name,
-                std::string_view file_text) {
+Mesh scene_mesh(const scene::Mesh& parameters, const scene::Periodic& periodic, std::string_view file_text) {
   const Period sides = period(periodic);
   if (parameters.file.empty())
     return make_rectangle(lines(parameters, 0), lines(parameters, 1), parameters.refinements, sides.along);
-  require(!file_text.empty(), "the bytes of the mesh {} are required; got none: the coupler must send them",
-          parameters.file);
-  Mesh mesh = read_gmsh(file_text, file_name);
+  Mesh mesh = read_gmsh(file_text, parameters.file);
   for (const scene::Circle& circle : parameters.circles)
     fit_circle(mesh, circle.boundary, {circle.centre[0], circle.centre[1]}, circle.radius);
   make_periodic(mesh, sides);

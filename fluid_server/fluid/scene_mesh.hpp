@@ -1,7 +1,6 @@
 /// The mesh that a scene asks for.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "fluid/mesh.hpp"
@@ -12,7 +11,6 @@ namespace fpi::fluid {
 
 /// A rectangle from the scene's numbers, or the Gmsh mesh whose text came with it, joined where the scene is
 /// periodic.
-Mesh scene_mesh(const scene::Mesh& parameters, const scene::Periodic& periodic, const std::string& file_name,
-                std::string_view file_text);
+Mesh scene_mesh(const scene::Mesh& parameters, const scene::Periodic& periodic, std::string_view file_text);
 
 }  // namespace fpi::fluid

@@ -86,6 +86,7 @@ Load unpack(Reader& r, const wire::Load* w) {
   return {w->body(),           unpack(w->force()),       unpack(w->torque()), r.numbers(w->start()),
           r.numbers(w->end()), r.numbers(w->tractions())};
 }
+File unpack(Reader& r, const wire::File* w) { return {r.text(w->name()), r.numbers(w->bytes())}; }
 Field unpack(Reader& r, const wire::Field* w) {
   return {r.text(w->name()), w->on_cells(), w->components(), r.numbers(w->values())};
 }
@@ -104,7 +105,7 @@ Hello unpack(Reader& r, const wire::Hello* w) {
 Welcome unpack(Reader&, const wire::Welcome* w) { return {w->scene_fingerprint(), w->heartbeat_interval()}; }
 Refusal unpack(Reader& r, const wire::Refusal* w) { return {r.text(w->reason())}; }
 Configure unpack(Reader& r, const wire::Configure* w) {
-  return {r.text(w->scene()), r.text(w->mesh_name()), r.numbers(w->mesh()), r.numbers(w->state())};
+  return {r.text(w->scene()), r.list(w->files()), r.numbers(w->state())};
 }
 Configured unpack(Reader& r, const wire::Configured* w) {
   return {r.list(w->arc_lengths()), w->resolved_gap_ratio(), r.list(w->notes()), r.list(w->figures())};

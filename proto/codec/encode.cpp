@@ -35,6 +35,7 @@ auto pack(Builder& b, const std::string& s) { return text(b, s); }
 auto pack(Builder& b, const std::pair<std::string, double>& figure) {
   return wire::CreateFigure(b, text(b, figure.first), figure.second);
 }
+auto pack(Builder& b, const File& m) { return wire::CreateFile(b, text(b, m.name), numbers(b, m.bytes)); }
 auto pack(Builder& b, const Interface& m) {
   const wire::Vec3 centre = pack(m.centre), translation = pack(m.translation), spin = pack(m.spin);
   return wire::CreateInterface(b, m.body, &centre, m.radius, numbers(b, m.start), numbers(b, m.end),
@@ -81,8 +82,7 @@ auto pack(Builder& b, const Welcome& m) {
 }
 auto pack(Builder& b, const Refusal& m) { return wire::CreateRefusal(b, text(b, m.reason)); }
 auto pack(Builder& b, const Configure& m) {
-  return wire::CreateConfigure(b, text(b, m.scene), text(b, m.mesh_name), numbers(b, m.mesh),
-                               numbers(b, m.state));
+  return wire::CreateConfigure(b, text(b, m.scene), list(b, m.files), numbers(b, m.state));
 }
 auto pack(Builder& b, const Configured& m) {
   return wire::CreateConfigured(b, list(b, m.arc_lengths), m.resolved_gap_ratio, list(b, m.notes),

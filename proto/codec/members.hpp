@@ -39,10 +39,12 @@ inline constexpr auto members_of<Welcome> = std::tuple{
 template <>
 inline constexpr auto members_of<Refusal> = std::tuple{member("reason", &Refusal::reason)};
 template <>
+inline constexpr auto members_of<File> =
+    std::tuple{member("name", &File::name), member("bytes", &File::bytes)};
+template <>
 inline constexpr auto members_of<Configure> = std::tuple{
     member("scene", &Configure::scene),
-    member("mesh_name", &Configure::mesh_name),
-    member("mesh", &Configure::mesh),
+    member("files", &Configure::files),
     member("state", &Configure::state),
 };
 template <>

@@ -21,6 +21,21 @@ TEST(FolderLock, a_folder_belongs_to_one_run_until_it_ends) {
   EXPECT_NO_THROW(FolderLock{folder.path()});
 }
 
+TEST(ReadFiles, files_are_found_beside_the_scene_and_kept_by_their_names_alone) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "meshes");
+  std::ofstream(folder / "meshes/square.msh") << "a mesh";
+  scene::Scene scene;
+  scene.fluid.emplace().mesh.file = "meshes/square.msh";
+  const Files files = read_files(scene, folder / "drop.toml");
+  EXPECT_EQ(scene.fluid->mesh.file, "square.msh");
+  EXPECT_EQ(proto::content(files, "square.msh"), "a mesh");
+  EXPECT_THROW(proto::content(files, "circle.msh"), Error);
+  EXPECT_THROW(read_files(scene, folder / "drop.toml"), Error) << "no longer beside the scene";
+  fill_folder(folder.path(), scene, files);
+  EXPECT_EQ(proto::content(read_files(scene, folder / "scene.toml"), "square.msh"), "a mesh");
+}
+
 TEST(Json, a_summary_says_null_for_a_lost_participant_and_zero_for_one_not_needed) {
   Summary summary;
   summary.figures["fluid"] = {};

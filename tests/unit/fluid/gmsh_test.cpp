@@ -96,7 +96,7 @@ TEST(Gmsh, a_circle_of_the_scene_is_put_on_its_boundary) {
   scene::Mesh parameters;
   parameters.file = "square.msh";
   parameters.circles.push_back({"the inlet", {0.5, 0.5}, std::sqrt(0.5)});
-  const Mesh mesh = scene_mesh(parameters, {}, "square.msh", format_4);
+  const Mesh mesh = scene_mesh(parameters, {}, format_4);
   for (const BoundaryEdge& b : mesh.boundary) {
     EXPECT_EQ(mesh.is_curved_edge(b.edge), b.boundary == 1);
     if (b.boundary == 1) {

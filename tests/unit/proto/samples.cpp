@@ -46,7 +46,7 @@ std::vector<Envelope> all() {
       Hello{2, "fluid", "toy", "0.1.0", {"checkpoint", "fields"}, 0xffffffffffffffff, 7},
       Welcome{0xfedcba9876543210, 0.25},
       Refusal{"the role is taken"},
-      Configure{"[fluid]\ndensity = 1 # µ\n", "channel.msh", {1, 2, 3, 255}, {9, 8}},
+      Configure{"[fluid]\ndensity = 1 # µ\n", {{"channel.msh", {1, 2, 3, 255}}}, {9, 8}},
       Configured{{{0, 0.1}, {1, 0.2}}, 0.01, {"no convection", "one factor"}, figures},
       FluidAdvance{0.3, 0.1, {arcs(), outline()}},
       FluidAdvanced{true, "well", {traction, traction}, 4, 1e-9, 2e-4, 3},
