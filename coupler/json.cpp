@@ -43,6 +43,17 @@ Json bodies(const Summary& summary) {
   return list;
 }
 
+Json groups(const Summary& summary) {
+  Json list = Json::array();
+  for (const GroupMotion& group : summary.groups)
+    list.push_back({{"name", group.name},
+                    {"count", group.count},
+                    {"position", vector(group.position)},
+                    {"velocity", vector(group.velocity)},
+                    {"kinetic_energy", group.kinetic_energy}});
+  return list;
+}
+
 Json boundaries(const Summary& summary) {
   Json list = Json::array();
   for (std::size_t i = 0; i < summary.boundaries.size(); ++i) {
@@ -165,6 +176,7 @@ std::string to_json(const Summary& s) {
                 {"fluid_server", count(s, "fluid", "peak_memory_bytes")},
                 {"dem_server", count(s, "dem", "peak_memory_bytes")}}},
               {"bodies", bodies(s)},
+              {"grains", groups(s)},
               {"boundaries", boundaries(s)},
               {"coefficients", s.coefficients},
               {"probes", s.probes},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "extrema.hpp"
+#include "groups.hpp"
 #include "plan.hpp"
 #include "proto/messages.hpp"
 #include "run.hpp"
@@ -24,6 +25,7 @@ struct Summary {
   double peak_memory = 0;                                     ///< [B] of this process
   std::vector<std::string> body_names;
   CoupledState bodies;
+  std::vector<GroupMotion> groups;
   std::vector<std::string> boundary_names;
   std::vector<BoundaryLoad> boundaries;
   std::map<std::string, double> coefficients, probes;

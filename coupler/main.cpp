@@ -5,6 +5,7 @@
 
 #include "command_line.hpp"
 #include "core/error.hpp"
+#include "grains/expand.hpp"
 #include "json.hpp"
 #include "plan.hpp"
 #include "proto/host.hpp"
@@ -25,8 +26,10 @@ void listen_to_signals() {
 
 int check_scene(const SessionOptions& options) {
   scene::Scene scene = scene::read_file(options.scene, options.overrides);
-  read_files(scene, options.scene);
+  const Files files = read_files(scene, options.scene);
+  grains::expand(scene, [&files](const std::string& name) { return proto::content(files, name); });
   std::printf("%s: ok, \"%s\"\n", options.scene.c_str(), scene.title.c_str());
+  for (const std::string& line : grains::describe(scene)) std::printf("  %s\n", line.c_str());
   return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "groups.hpp"
 #include "wire.hpp"
 
 namespace fpi {
@@ -12,11 +13,12 @@ namespace {
 std::vector<std::string> history_columns(const scene::Scene& scene) {
   std::vector<std::string> columns{
       "time", "step", "sub_iterations", "residual_velocity", "residual_force", "newton_iterations"};
-  for (const scene::Body& body : scene.bodies) {
-    for (const char* quantity : {"x", "y", "vx", "vy", "spin", "fx", "fy", "torque"}) {
-      columns.push_back(body.name + "." + quantity);
-    }
-  }
+  for (std::size_t i = 0; i < scene.n_listed(); ++i)
+    for (const char* quantity : {"x", "y", "vx", "vy", "spin", "fx", "fy", "torque"})
+      columns.push_back(scene.bodies[i].name + "." + quantity);
+  for (const scene::Grains& group : scene.grains)
+    for (const char* quantity : {"x", "y", "z", "vx", "vy", "vz", "kinetic_energy"})
+      columns.push_back(group.name + "." + quantity);
   for (const std::string& boundary : holding_boundaries(scene))
     for (const char* quantity : {"fx", "fy", "torque"}) columns.push_back(boundary + "." + quantity);
   for (const scene::Probe& probe : scene.probes) columns.push_back(probe.name);
@@ -67,7 +69,7 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder)
 Recorder::Recorder(const scene::Scene& scene, const std::string& folder, const std::vector<double>& sizes)
     : scene_(scene), folder_(folder), history_(history_file(folder), static_cast<std::size_t>(sizes.at(0))) {
   const auto kept = [&sizes](std::size_t i) { return static_cast<std::size_t>(sizes.at(i)); };
-  if (!scene.bodies.empty()) bodies_.emplace(folder, kept(0));
+  if (!scene.bodies.empty()) bodies_.emplace(folder, kept(5));
   if (has_interface(scene)) interface_.emplace(folder, kept(1));
   if (kept(2) > 0) fields_.emplace(folder, kept(2));
   if (kept(3) > 0) boundaries_.emplace(boundary_file(folder), "traction", kept(3));
@@ -81,7 +83,7 @@ void Recorder::flush() {
 std::vector<double> Recorder::sizes() const {
   const auto size = [](const auto& writer) { return writer ? static_cast<double>(writer->size()) : 0; };
   return {static_cast<double>(history_.size()), size(interface_), size(fields_), size(boundaries_),
-          size(profiles_)};
+          size(profiles_), size(bodies_)};
 }
 
 void Recorder::record_step(double time, const Attempt& attempt, const Simulation& simulation,
@@ -92,27 +94,39 @@ void Recorder::record_step(double time, const Attempt& attempt, const Simulation
                            attempt.velocity.relative,
                            attempt.force.relative,
                            static_cast<double>(attempt.newton_iterations)};
-  std::vector<output::BodyRow> rows;
-  for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+  for (std::size_t i = 0; i < scene_.n_listed(); ++i) {
     const coupling::RigidMotion& motion = simulation.state().motions[i];
     const auto& [force, torque] = simulation.state().loads[i];
     line.insert(line.end(), {motion.position.x(), motion.position.y(), motion.velocity.x(),
                              motion.velocity.y(), motion.spin.z(), force.x(), force.y(), torque.z()});
-    const Eigen::AngleAxisd rotation(motion.orientation);
-    rows.push_back(
-        {.position = to_wire(motion.position),
-         .rotation = to_wire(rotation.axis() * std::remainder(rotation.angle(), 2 * std::numbers::pi)),
-         .velocity = to_wire(motion.velocity),
-         .spin = to_wire(motion.spin),
-         .force = to_wire(force),
-         .torque = to_wire(torque)});
+  }
+  for (const GroupMotion& group : group_motions(scene_, simulation.state().motions)) {
+    line.insert(line.end(), group.position.begin(), group.position.end());
+    line.insert(line.end(), group.velocity.begin(), group.velocity.end());
+    line.push_back(group.kinetic_energy);
   }
   for (const BoundaryLoad& load : reported.boundaries)
     line.insert(line.end(), {load.fx, load.fy, load.torque});
   line.insert(line.end(), reported.probes.begin(), reported.probes.end());
   for (const DragLift& c : reported.coefficients) line.insert(line.end(), {c.drag, c.lift});
   history_.append(line);
-  if (bodies_) bodies_->append(time, rows);
+}
+
+void Recorder::record_bodies(double time, const CoupledState& state) {
+  if (!bodies_) return;
+  std::vector<output::BodyRow> rows;
+  for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+    const coupling::RigidMotion& motion = state.motions[i];
+    const Eigen::AngleAxisd rotation(motion.orientation);
+    rows.push_back(
+        {.position = to_wire(motion.position),
+         .rotation = to_wire(rotation.axis() * std::remainder(rotation.angle(), 2 * std::numbers::pi)),
+         .velocity = to_wire(motion.velocity),
+         .spin = to_wire(motion.spin),
+         .force = to_wire(state.loads[i].force),
+         .torque = to_wire(state.loads[i].torque)});
+  }
+  bodies_->append(time, rows);
 }
 
 void Recorder::record_interface(double time, const CoupledState& state) {

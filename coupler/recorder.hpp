@@ -1,4 +1,5 @@
-/// The result files of a run folder: history.csv and bodies.h5 at every step; fields.h5, fields.xdmf,
+/// The result files of a run folder: history.csv at every step, and bodies.h5 too, but for scenes with groups of
+/// grains, of which it has those steps only that fields are written at; there are fields.h5, fields.xdmf,
 /// interface.h5, boundaries.h5 and profiles.h5 at the steps that are written. What a scene does not have gets
 /// no file.
 #pragma once
@@ -29,6 +30,8 @@ class Recorder {
   /// The accepted step that ends at `time` [s].
   void record_step(double time, const Attempt& attempt, const Simulation& simulation,
                    const Reported& reported);
+  /// A row of bodies.h5.
+  void record_bodies(double time, const CoupledState& state);
   void record_interface(double time, const CoupledState& state);
   void record_fields(double time, const proto::Fields& fields);
 

@@ -114,6 +114,7 @@ void Run::record(double time, const Attempt& attempt, bool fields_due) {
   {
     const ScopedTimer timer(ledger_, "output");
     recorder_->record_step(time, attempt, simulation_, reported_);
+    if (fields_due || scene_.grains.empty()) recorder_->record_bodies(time, simulation_.state());
   }
   if (fields_due) write_fields(time);
   report_progress();

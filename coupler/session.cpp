@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "grains/expand.hpp"
 #include "json.hpp"
 #include "output/replace.hpp"
 #include "plan.hpp"
@@ -87,6 +88,7 @@ class Session {
     scene_ = scene::read_file(file, options_.overrides);
     plan_ = make_plan(scene_);
     files_ = read_files(scene_, file);
+    grains::expand(scene_, [this](const std::string& name) { return proto::content(files_, name); });
     if (!options_.resume) return;
     require(!is_completed(options_.folder), "nothing to resume: the run reached its end");
     checkpoint_ = read_checkpoint(options_.folder, plan_.scene_fingerprint);
@@ -110,6 +112,7 @@ class Session {
     summary_.reason = "the run is under way, or it ended without a word";
     write_summary();
     log::info("{}: {}", options_.resume ? "resuming" : "starting", scene_.title);
+    for (const std::string& line : grains::describe(scene_)) log::info("{}", line);
   }
 
   void admit() {
@@ -182,7 +185,8 @@ class Session {
   void collect_results() {
     summary_.statistics = run_->statistics();
     summary_.bodies = run_->simulation().state();
-    for (const scene::Body& body : scene_.bodies) summary_.body_names.push_back(body.name);
+    for (std::size_t i = 0; i < scene_.n_listed(); ++i) summary_.body_names.push_back(scene_.bodies[i].name);
+    summary_.groups = group_motions(scene_, summary_.bodies.motions);
     const Reported& last = run_->last_reported();
     for (std::size_t i = 0; i < last.probes.size(); ++i)
       summary_.probes[scene_.probes[i].name] = last.probes[i];

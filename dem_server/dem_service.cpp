@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "grains/expand.hpp"
 #include "scene/scene.hpp"
 
 namespace fpi::dem {
@@ -64,7 +65,8 @@ std::vector<std::string> notes(const Model& model) {
 
 proto::Configured DemService::configure(const proto::Configure& message) {
   progress.set("configure");
-  const scene::Scene scene = scene::read_text(message.scene, "the scene sent by the coupler");
+  scene::Scene scene = scene::read_text(message.scene, "the scene sent by the coupler");
+  grains::expand(scene, [&](const std::string& name) { return proto::content(message.files, name); });
   solver_.emplace(make_problem(scene));
   if (!message.state.empty()) solver_->resume(message.state);
   const Model& model = solver_->model();

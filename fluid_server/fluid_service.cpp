@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "fluid/scene_mesh.hpp"
+#include "grains/expand.hpp"
 #include "measurements.hpp"
 
 namespace fpi::fluid {
@@ -74,6 +75,7 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
     require(scene_.fluid.has_value(),
             "a scene with [fluid] is required; got one without: start no fluid for it");
     check_dimension(scene_);
+    grains::expand(scene_, [&](const std::string& name) { return proto::content(message.files, name); });
     const std::string& mesh_name = scene_.fluid->mesh.file;
     const std::string_view text = mesh_name.empty() ? "" : proto::content(message.files, mesh_name);
     solver_.emplace(scene_mesh(scene_.fluid->mesh, scene_.periodic, text), settings(scene_));

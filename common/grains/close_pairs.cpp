@@ -18,18 +18,18 @@ class Grid {
     }
   }
 
-  void add(std::uint32_t sphere, const Vec3& centre) { entries_.push_back({cell_of(centre), sphere}); }
+  void add(std::uint32_t sphere, const Vec3& centre) { entries_.push_back({key_of(cell_of(centre)), sphere}); }
 
   /// Sorts what was added into buckets.
   void finish() {
     const std::size_t n_buckets = std::bit_ceil(2 * entries_.size() + 1);
     mask_ = n_buckets - 1;
     begin_.assign(n_buckets + 1, 0);
-    for (const Entry& entry : entries_) ++begin_[bucket(entry.cell) + 1];
+    for (const Entry& entry : entries_) ++begin_[bucket(entry.key) + 1];
     for (std::size_t b = 0; b < n_buckets; ++b) begin_[b + 1] += begin_[b];
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     std::vector<Entry> sorted(entries_.size());
-    for (const Entry& entry : entries_) sorted[next[bucket(entry.cell)]++] = entry;
+    for (const Entry& entry : entries_) sorted[next[bucket(entry.key)]++] = entry;
     entries_ = std::move(sorted);
   }
 
@@ -48,7 +48,7 @@ class Grid {
 
  private:
   struct Entry {
-    Cell cell;
+    std::uint64_t key;  ///< of the cell
     std::uint32_t sphere;
   };
   struct Range {
@@ -71,16 +71,24 @@ class Grid {
       cell[k] = static_cast<std::int64_t>(std::clamp(std::floor(centre[k] / size_[k]), -farthest, farthest));
     return wrapped(cell);
   }
-  std::size_t bucket(const Cell& cell) const {
-    std::uint64_t h = 0;
-    for (const std::int64_t c : cell) h = (h ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15u;
+  /// Cells 2^21 apart share a key, neighbours never do.
+  static std::uint64_t key_of(const Cell& cell) {
+    constexpr int bits = 21;
+    constexpr std::uint64_t low = (std::uint64_t{1} << bits) - 1;
+    std::uint64_t key = 0;
+    for (const std::int64_t c : cell) key = (key << bits) | (static_cast<std::uint64_t>(c) & low);
+    return key;
+  }
+  std::size_t bucket(std::uint64_t key) const {
+    const std::uint64_t h = key * 0x9E3779B97F4A7C15u;
     return (h ^ (h >> 32)) & mask_;
   }
   template <class Visit>
   void in_cell(const Cell& cell, const Visit& visit) const {
-    const std::size_t b = bucket(cell);
+    const std::uint64_t key = key_of(cell);
+    const std::size_t b = bucket(key);
     for (std::uint32_t e = begin_[b]; e < begin_[b + 1]; ++e)
-      if (entries_[e].cell == cell) visit(entries_[e].sphere);
+      if (entries_[e].key == key) visit(entries_[e].sphere);
   }
 
   std::array<std::int64_t, 3> around_{};  ///< cells around each period, 0 where there is none
@@ -117,8 +125,9 @@ std::vector<IndexPair> close_pairs(std::span<const Sphere> spheres, double margi
       if (grids[level].empty()) continue;
       grids[level].around(spheres[i].centre, [&](std::uint32_t j) {
         if (levels[j] == levels[i] && j <= i) return;
-        const double distance = length(difference(spheres[i].centre, spheres[j].centre, periods));
-        if (distance <= spheres[i].radius + spheres[j].radius + margin)
+        const Vec3 d = difference(spheres[i].centre, spheres[j].centre, periods);
+        const double limit = spheres[i].radius + spheres[j].radius + margin;
+        if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit * limit)
           pairs.push_back({std::min(i, j), std::max(i, j)});
       });
     }

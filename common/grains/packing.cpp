@@ -56,7 +56,7 @@ class SoftSpheres {
         point[k] = box.lower[k] + uniform(random) * (box.upper[k] - box.lower[k]);
     order_ = order_along_rows(box, points);
     for (const std::size_t i : order_) spheres_.push_back({points[i], radii[i]});
-    skin_ = 0.3 * std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(n_);
+    skin_ = 0.6 * std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(n_);
     spheres_.insert(spheres_.end(), obstacles.begin(), obstacles.end());
     velocities_.resize(n_);
     forces_.resize(spheres_.size());

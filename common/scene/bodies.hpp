@@ -44,6 +44,12 @@ void declare_motion(ParameterVisitor& v, Group& g) {
             "must be > 0 kg/m³ for a body that moves freely (motion = \"free\")");
 }
 
+/// Whether formulas carry it along.
+template <class Group>
+bool travels(const Group& g) {
+  return std::ranges::any_of(g.prescribed_velocity, [](const std::string& v) { return v != "0"; });
+}
+
 /// [[bodies]]
 struct Body {
   std::string name;
@@ -84,11 +90,7 @@ struct Body {
 
   bool is_free() const { return motion == "free"; }
   /// False for a body that is held, and for a disc that spins about its own centre.
-  bool changes_place() const {
-    const bool travels = std::ranges::any_of(prescribed_velocity, [](const auto& v) { return v != "0"; });
-    const bool turns = shape == "polygon" && prescribed_spin != "0";
-    return is_free() || (motion == "prescribed" && (travels || turns));
-  }
+  bool changes_place() const { return is_free() || travels(*this) || (shape == "polygon" && prescribed_spin != "0"); }
   bool is_plane() const { return shape != "sphere"; }
   std::size_t axes() const { return is_plane() ? 2 : 3; }
   /// Volume [m³] of the body seen with radius r; a disc or polygon is a cylinder of the scene's thickness.

@@ -53,6 +53,14 @@ void check_names(std::string_view list, const std::vector<Group>& groups, Parame
   }
 }
 
+/// Groups and bodies have columns of history.csv by their names.
+void check_group_names(const Scene& scene, ParameterVisitor& v) {
+  const std::vector<std::string> bodies = names_of(scene.bodies);
+  for (std::size_t i = 0; i < scene.grains.size(); ++i)
+    v.require(std::ranges::find(bodies, scene.grains[i].name) == bodies.end(), key_of("grains", i, "name"),
+              "must not be the name of a body");
+}
+
 template <class Group>
 void check_materials(std::string_view list, const std::vector<Group>& groups, const Scene& scene,
                      ParameterVisitor& v) {
@@ -85,23 +93,28 @@ void check_wall(const Wall& wall, std::size_t axes, const std::string& all_axes,
             key_of("walls", i, "normal"), "must not be zero");
 }
 
-void check_dimensions(const Scene& scene, ParameterVisitor& v) {
-  if (scene.bodies.empty()) return;
-  const bool plane = scene.bodies[0].is_plane();
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const Body& body = scene.bodies[i];
-    v.require(body.is_plane() == plane, key_of("bodies", i, "shape"),
-              fmt::format("must go with the first body's, \"{}\": a scene is plane or in space",
-                          scene.bodies[0].shape));
-    v.require(!scene.fluid || body.is_plane(), key_of("bodies", i, "shape"),
+template <class Group>
+void check_shapes(std::string_view list, const std::vector<Group>& groups, bool plane, std::string_view first,
+                  const Scene& scene, ParameterVisitor& v) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    v.require(groups[i].is_plane() == plane, key_of(list, i, "shape"),
+              fmt::format("must go with the first body's, \"{}\": a scene is plane or in space", first));
+    v.require(!scene.fluid || groups[i].is_plane(), key_of(list, i, "shape"),
               "must be \"disc\" or \"polygon\" where there is a [fluid], which is plane");
-    v.require(body.shape != "polygon" || !scene.moves_freely(), key_of("bodies", i, "shape"),
+    v.require(groups[i].shape != "polygon" || !scene.moves_freely(), key_of(list, i, "shape"),
               "must not be \"polygon\" where other bodies move freely: there is no contact law for polygons "
               "yet");
   }
+}
+
+void check_dimensions(const Scene& scene, ParameterVisitor& v) {
+  if (scene.bodies.empty() && scene.grains.empty()) return;
+  const std::string& first = scene.bodies.empty() ? scene.grains[0].shape : scene.bodies[0].shape;
+  const bool plane = first != "sphere";
+  check_shapes("bodies", scene.bodies, plane, first, scene, v);
+  check_shapes("grains", scene.grains, plane, first, scene, v);
   const std::size_t axes = plane ? 2 : 3;
-  const std::string all_axes =
-      fmt::format("must have {} entries, as the bodies are {}s", axes, scene.bodies[0].shape);
+  const std::string all_axes = fmt::format("must have {} entries, as the bodies are {}s", axes, first);
   v.require(axes == 3 || scene.gravity.size() == axes, "gravity", all_axes);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) check_wall(scene.walls[i], axes, all_axes, i, v);
 }
@@ -197,7 +210,8 @@ void check_motion(const Scene& scene, ParameterVisitor& v) {
   v.require(!scene.time.steady || scene.fluid, "time.steady", "must go with a [fluid]");
   v.require(scene.time.relative_tolerance == 0 || scene.fluid, "time.relative_tolerance",
             "must go with a [fluid], which estimates the error");
-  const bool can_touch = scene.moves_freely() && (scene.walls.size() > 0 || scene.bodies.size() > 1);
+  const bool can_touch =
+      scene.moves_freely() && (scene.walls.size() > 0 || scene.bodies.size() > 1 || !scene.grains.empty());
   v.require(!can_touch || !scene.materials.empty(), "materials",
             "must have an entry where free bodies can touch walls or each other");
 }
@@ -218,11 +232,14 @@ void check_stiffness(const Scene& scene, ParameterVisitor& v) {
 
 void check(const Scene& scene, ParameterVisitor& v) {
   check_names("bodies", scene.bodies, v);
+  check_names("grains", scene.grains, v);
+  check_group_names(scene, v);
   check_names("materials", scene.materials, v);
   check_names("walls", scene.walls, v);
   check_stiffness(scene, v);
   check_names("probes", scene.probes, v);
   check_materials("bodies", scene.bodies, scene, v);
+  check_materials("grains", scene.grains, scene, v);
   check_materials("walls", scene.walls, scene, v);
   check_dimensions(scene, v);
   if (scene.fluid) {

@@ -43,6 +43,7 @@ struct Grains {
   bool is_plane() const { return shape == "disc"; }
   std::size_t axes() const { return is_plane() ? 2 : 3; }
   bool is_free() const { return motion == "free"; }
+  bool changes_place() const { return is_free() || travels(*this); }
   bool is_csv() const { return generator == "csv"; }
   bool is_random() const { return generator == "random"; }
   double largest_radius() const {

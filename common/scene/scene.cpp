@@ -27,6 +27,7 @@ void Scene::declare(ParameterVisitor& v) {
   v.table({"fluid", "", "the flow; without it the grains are dry and no fluid program is started"}, fluid);
   v.table({"dem", "", "how the grains' motion is integrated"}, dem);
   v.tables({"bodies", "", "discs and polygons (plane) or spheres (space), one table each"}, bodies);
+  v.tables({"grains", "", "groups of discs or spheres that are placed by a rule, or by a table"}, grains);
   v.tables({"materials", "", "what bodies and walls are made of, for their contacts"}, materials);
   v.tables({"walls", "", "what stops the grains, at rest or moving; the fluid does not see walls"}, walls);
   v.table({"coupling", "", "the implicit staggered iteration of each time step"}, coupling);
@@ -43,12 +44,18 @@ void Scene::declare(ParameterVisitor& v) {
   check(*this, v);
 }
 
+std::size_t Scene::n_listed() const {
+  std::size_t n = bodies.size();
+  for (const Grains& group : grains) n -= group.count;
+  return n;
+}
+
 bool Scene::moves_freely() const {
-  return std::ranges::any_of(bodies, [](const Body& body) { return body.is_free(); });
+  return std::ranges::any_of(bodies, &Body::is_free) || std::ranges::any_of(grains, &Grains::is_free);
 }
 
 bool Scene::moves() const {
-  return std::ranges::any_of(bodies, [](const Body& body) { return body.changes_place(); });
+  return std::ranges::any_of(bodies, &Body::changes_place) || std::ranges::any_of(grains, &Grains::changes_place);
 }
 
 Scene part_of(Part part, const Scene& scene) {
@@ -80,6 +87,7 @@ std::vector<std::string*> file_names(Scene& scene) {
     if (!name.empty()) names.push_back(&name);
   };
   if (scene.fluid) add(scene.fluid->mesh.file);
+  for (Grains& group : scene.grains) add(group.file);
   return names;
 }
 

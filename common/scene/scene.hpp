@@ -10,6 +10,7 @@
 #include "scene/coupling.hpp"
 #include "scene/dem.hpp"
 #include "scene/fluid.hpp"
+#include "scene/grains.hpp"
 #include "scene/periodic.hpp"
 #include "scene/walls.hpp"
 
@@ -156,7 +157,8 @@ struct Scene {
   Periodic periodic;
   std::optional<Fluid> fluid;
   std::optional<Dem> dem;
-  std::vector<Body> bodies;
+  std::vector<Body> bodies;  ///< those listed; after them, once they are made, those of `grains`
+  std::vector<Grains> grains;
   std::vector<Material> materials;
   std::vector<Wall> walls;
   Coupling coupling;
@@ -168,8 +170,9 @@ struct Scene {
 
   void declare(ParameterVisitor& v);
 
-  bool moves_freely() const;  ///< a body is free
-  bool moves() const;         ///< the outline of a body does: a disc that only spins stays in place
+  std::size_t n_listed() const;  ///< bodies that the scene lists one by one
+  bool moves_freely() const;     ///< a body is free
+  bool moves() const;            ///< the outline of a body does: a disc that only spins stays in place
   bool needs_fluid() const { return fluid.has_value(); }
   bool needs_dem() const { return moves_freely(); }
 };

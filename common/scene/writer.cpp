@@ -65,6 +65,7 @@ class Writer : public ParameterVisitor {
 
 std::string write_text(const Scene& scene) {
   Scene copy = scene;  // a declaration names members that may be written
+  copy.bodies.resize(scene.n_listed());
   Writer writer;
   copy.declare(writer);
   return writer.text_so_far();

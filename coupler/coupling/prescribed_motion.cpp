@@ -1,6 +1,6 @@
 #include "coupling/prescribed_motion.hpp"
 
-#include <string>
+#include <array>
 
 namespace fpi::coupling {
 namespace {
@@ -15,34 +15,36 @@ constexpr std::array<QuadraturePoint, 5> quadrature{{{0.04691007703066800, 0.118
                                                      {0.76923465505284155, 0.23931433524968324},
                                                      {0.95308992296933200, 0.11846344252809454}}};
 
-std::string component(const scene::Body& body, std::size_t i) {
-  return i < body.prescribed_velocity.size() ? body.prescribed_velocity[i] : "0";
-}
-
 }  // namespace
 
-PrescribedMotion::PrescribedMotion(const scene::Body& body)
-    : velocity_{Expression(component(body, 0)), Expression(component(body, 1)),
-                Expression(component(body, 2))},
-      spin_(body.motion == "prescribed" ? body.prescribed_spin : "0") {}
-
-Eigen::Vector3d PrescribedMotion::velocity(double t) const {
-  return {velocity_[0](0, 0, t), velocity_[1](0, 0, t), velocity_[2](0, 0, t)};
+PrescribedMotion::PrescribedMotion(const scene::Body& body) {
+  if (body.motion != "prescribed") return;
+  for (std::size_t i = 0; i < 3; ++i)
+    formulas_.emplace_back(i < body.prescribed_velocity.size() ? body.prescribed_velocity[i] : "0");
+  formulas_.emplace_back(body.prescribed_spin);
 }
 
+Eigen::Vector3d PrescribedMotion::velocity(double t) const {
+  return {formulas_[0](0, 0, t), formulas_[1](0, 0, t), formulas_[2](0, 0, t)};
+}
+
+double PrescribedMotion::spin(double t) const { return formulas_[3](0, 0, t); }
+
 RigidMotion PrescribedMotion::with_velocities(RigidMotion motion, double t) const {
-  motion.velocity = velocity(t);
-  motion.spin = {0, 0, spin_(0, 0, t)};
+  const bool held = formulas_.empty();
+  motion.velocity = held ? Eigen::Vector3d::Zero() : velocity(t);
+  motion.spin = {0, 0, held ? 0 : spin(t)};
   return motion;
 }
 
 RigidMotion PrescribedMotion::advanced(const RigidMotion& motion, double t0, double t1) const {
   RigidMotion moved = with_velocities(motion, t1);
+  if (formulas_.empty()) return moved;
   double angle = 0;
   for (const QuadraturePoint& q : quadrature) {
     const double t = t0 + q.place * (t1 - t0), weight = q.weight * (t1 - t0);
     moved.position += weight * velocity(t);
-    angle += weight * spin_(0, 0, t);
+    angle += weight * spin(t);
   }
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
   moved.orientation = (turn * motion.orientation).normalized();

@@ -1,7 +1,7 @@
 /// The motion of a body that does not react: by formulas of t, or held.
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "core/expression.hpp"
 #include "coupling/rigid_motion.hpp"
@@ -22,9 +22,10 @@ class PrescribedMotion {
 
  private:
   Eigen::Vector3d velocity(double t) const;
+  double spin(double t) const;
 
-  std::array<Expression, 3> velocity_;
-  Expression spin_;
+  /// Velocities along the axes, then spin; none of a body that is held, as there may be many.
+  std::vector<Expression> formulas_;
 };
 
 }  // namespace fpi::coupling
