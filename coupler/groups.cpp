@@ -16,8 +16,8 @@ std::vector<GroupMotion> group_motions(const scene::Scene& scene,
       total += volume;
       group.position += volume * m.position;
       group.velocity += volume * m.velocity;
-      group.kinetic_energy +=
-          0.5 * grains.density * volume * (m.velocity.squaredNorm() + shape_factor * R * R * m.spin.squaredNorm());
+      group.kinetic_energy += 0.5 * grains.density * volume *
+                              (m.velocity.squaredNorm() + shape_factor * R * R * m.spin.squaredNorm());
     }
     group.position /= total;
     group.velocity /= total;

@@ -18,7 +18,8 @@ struct GroupMotion {
   double kinetic_energy = 0;                           ///< of all grains, with that of their spin [J]
 };
 
-/// One a group of the scene, from the motion of every body. A group without density counts by volume, and has no energy.
+/// One a group of the scene, from the motion of every body. A group without density counts by volume, and has
+/// no energy.
 std::vector<GroupMotion> group_motions(const scene::Scene& scene,
                                        const std::vector<coupling::RigidMotion>& motions);
 

@@ -82,8 +82,12 @@ void Recorder::flush() {
 
 std::vector<double> Recorder::sizes() const {
   const auto size = [](const auto& writer) { return writer ? static_cast<double>(writer->size()) : 0; };
-  return {static_cast<double>(history_.size()), size(interface_), size(fields_), size(boundaries_),
-          size(profiles_), size(bodies_)};
+  return {static_cast<double>(history_.size()),
+          size(interface_),
+          size(fields_),
+          size(boundaries_),
+          size(profiles_),
+          size(bodies_)};
 }
 
 void Recorder::record_step(double time, const Attempt& attempt, const Simulation& simulation,

@@ -13,12 +13,15 @@ class Grid {
  public:
   Grid(double reach, const Periods& periods) {
     for (std::size_t k = 0; k < 3; ++k) {
-      around_[k] = periods[k] > 0 ? std::max<std::int64_t>(1, static_cast<std::int64_t>(periods[k] / reach)) : 0;
+      around_[k] =
+          periods[k] > 0 ? std::max<std::int64_t>(1, static_cast<std::int64_t>(periods[k] / reach)) : 0;
       size_[k] = around_[k] > 0 ? periods[k] / static_cast<double>(around_[k]) : reach;
     }
   }
 
-  void add(std::uint32_t sphere, const Vec3& centre) { entries_.push_back({key_of(cell_of(centre)), sphere}); }
+  void add(std::uint32_t sphere, const Vec3& centre) {
+    entries_.push_back({key_of(cell_of(centre)), sphere});
+  }
 
   /// Sorts what was added into buckets.
   void finish() {

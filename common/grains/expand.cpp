@@ -17,7 +17,10 @@ namespace {
 constexpr double most_grains = 1e7;  ///< in a group: more are a mistake in a unit
 
 Box box_of(const scene::Grains& group, const scene::Periodic& periodic) {
-  Box box{.lower = scene::to_vec3(group.lower), .upper = scene::to_vec3(group.upper), .axes = group.axes(), .periods = {}};
+  Box box{.lower = scene::to_vec3(group.lower),
+          .upper = scene::to_vec3(group.upper),
+          .axes = group.axes(),
+          .periods = {}};
   for (const std::size_t k : {0, 1}) {
     const std::vector<double>& planes = periodic.along(static_cast<int>(k));
     if (planes == std::vector{group.lower[k], group.upper[k]}) box.periods[k] = planes[1] - planes[0];
@@ -27,7 +30,8 @@ Box box_of(const scene::Grains& group, const scene::Periodic& periodic) {
 
 void check_number(const scene::Grains& group, double expected) {
   require(expected <= most_grains,
-          "[[grains]] \"{}\" must stand for at most {:g} grains; got about {:.3g}: make the box smaller or the grains larger",
+          "[[grains]] \"{}\" must stand for at most {:g} grains; got about {:.3g}: make the box smaller or "
+          "the grains larger",
           group.name, most_grains, expected);
 }
 
@@ -63,13 +67,17 @@ std::vector<Sphere> obstacles(const scene::Scene& scene) {
 std::vector<Row> at_random(const scene::Grains& group, const Box& box, const scene::Scene& scene) {
   const double volume = group.solid_fraction * box.volume();
   const std::vector<SizeClass> classes = size_classes(group);
-  check_number(group, volume / (unit_volume(box.axes) * std::pow(classes.front().smallest, static_cast<double>(box.axes))));
+  check_number(group, volume / (unit_volume(box.axes) *
+                                std::pow(classes.front().smallest, static_cast<double>(box.axes))));
   const std::vector<double> radii = radii_of_volume(classes, box.axes, volume);
-  require(!radii.empty(), "[[grains]] \"{}\" must have room for a grain; got a box for less than half of one at solid_fraction = {}",
+  require(!radii.empty(),
+          "[[grains]] \"{}\" must have room for a grain; got a box for less than half of one at "
+          "solid_fraction = {}",
           group.name, group.solid_fraction);
   const auto centres = pack(box, radii, group.gap, obstacles(scene), static_cast<std::uint64_t>(group.seed));
   require(centres.has_value(),
-          "[[grains]] \"{}\" must have a solid_fraction at which {} grains fit between the sides of the box; at {} they jam "
+          "[[grains]] \"{}\" must have a solid_fraction at which {} grains fit between the sides of the box; "
+          "at {} they jam "
           "(equal discs near 0.84, spheres near 0.64, less beside walls and with a gap): lower it, or drop a "
           "lattice under gravity",
           group.name, radii.size(), group.solid_fraction);
@@ -83,7 +91,8 @@ std::vector<Row> rows_of(const scene::Grains& group, const scene::Scene& scene, 
   } else {
     const Box box = box_of(group, scene.periodic);
     table.rows = group.is_random() ? at_random(group, box, scene) : on_lattice(group, box);
-    require(!table.rows.empty(), "[[grains]] \"{}\" must have room for a grain; got a box narrower than one", group.name);
+    require(!table.rows.empty(), "[[grains]] \"{}\" must have room for a grain; got a box narrower than one",
+            group.name);
   }
   for (Row& row : table.rows) {
     if (!table.has_velocity) row.velocity = scene::to_vec3(group.velocity);
@@ -93,7 +102,9 @@ std::vector<Row> rows_of(const scene::Grains& group, const scene::Scene& scene, 
 }
 
 scene::Body body_of(const scene::Grains& group, std::size_t number, const Row& row) {
-  const auto entries = [&group](const Vec3& v) { return std::vector<double>(v.begin(), v.begin() + group.axes()); };
+  const auto entries = [&group](const Vec3& v) {
+    return std::vector<double>(v.begin(), v.begin() + group.axes());
+  };
   scene::Body body;
   body.name = fmt::format("{}.{}", group.name, number);
   body.shape = group.shape;
@@ -124,8 +135,9 @@ std::vector<std::string> describe(const scene::Scene& scene) {
   auto first = scene.bodies.begin() + static_cast<std::ptrdiff_t>(scene.n_listed());
   for (const scene::Grains& group : scene.grains) {
     const auto last = first + static_cast<std::ptrdiff_t>(group.count);
-    const auto [smallest, largest] = std::ranges::minmax(first, last, {}, &scene::Body::radius);
-    std::string line = fmt::format("{}: {} {}s, radius {:g} to {:g} m", group.name, group.count, group.shape, smallest.radius, largest.radius);
+    const auto [smallest, largest] = std::ranges::minmax_element(first, last, {}, &scene::Body::radius);
+    std::string line = fmt::format("{}: {} {}s, radius {:g} to {:g} m", group.name, group.count, group.shape,
+                                   smallest->radius, largest->radius);
     if (!group.is_csv()) {
       double volume = 0;
       for (auto body = first; body != last; ++body) volume += body->volume(body->radius, 1);

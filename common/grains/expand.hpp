@@ -1,5 +1,5 @@
-/// From [[grains]] to bodies. Every process that reads a scene does this for itself, from the scene's text and
-/// its tables, and comes to the same bodies.
+/// From [[grains]] to bodies. Every process that reads a scene does this for itself, from the scene's text
+/// and its tables, and comes to the same bodies.
 #pragma once
 
 #include <functional>

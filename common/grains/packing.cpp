@@ -137,9 +137,7 @@ class SoftSpheres {
     std::erase_if(pairs_, [this](const IndexPair& pair) { return pair[0] >= n_; });
     searched_ = spheres_;
   }
-  double largest_diameter() const {
-    return 2 * std::ranges::max(spheres_, {}, &Sphere::radius).radius;
-  }
+  double largest_diameter() const { return 2 * std::ranges::max(spheres_, {}, &Sphere::radius).radius; }
   bool moved_far() const {
     for (std::size_t i = 0; i < n_; ++i)
       if (length(difference(searched_[i].centre, spheres_[i].centre, {})) > skin_ / 2) return true;
@@ -148,7 +146,8 @@ class SoftSpheres {
 
   bool is_balanced() const {
     double squared = 0;
-    for (const Vec3& force : forces_) squared += force[0] * force[0] + force[1] * force[1] + force[2] * force[2];
+    for (const Vec3& force : forces_)
+      squared += force[0] * force[0] + force[1] * force[1] + force[2] * force[2];
     return squared < balance * balance * squared_pair_forces_;
   }
   double power() const {
@@ -179,12 +178,12 @@ class SoftSpheres {
   }
 
   Box box_;
-  double gap_;             ///< [m]
+  double gap_;  ///< [m]
   double inflation_;
-  std::size_t n_;          ///< spheres that move; obstacles follow them
-  double skin_ = 0;        ///< [m]
+  std::size_t n_;    ///< spheres that move; obstacles follow them
+  double skin_ = 0;  ///< [m]
   double squared_pair_forces_ = 0;
-  std::vector<std::size_t> order_;  ///< number of the radius of each
+  std::vector<std::size_t> order_;          ///< number of the radius of each
   std::vector<Sphere> spheres_, searched_;  ///< now, and at the last search
   std::vector<Vec3> velocities_, forces_;
   std::vector<IndexPair> pairs_;

@@ -27,7 +27,8 @@ double quantile(const SizeClass& c, double u) {
   return std::clamp(std::pow(low + u * (high - low), 1 / power), c.smallest, c.largest);
 }
 
-std::vector<double> radii_of_counts(const std::vector<SizeClass>& classes, const std::vector<std::size_t>& counts) {
+std::vector<double> radii_of_counts(const std::vector<SizeClass>& classes,
+                                    const std::vector<std::size_t>& counts) {
   std::vector<double> radii;
   for (std::size_t i = 0; i < classes.size(); ++i) {
     const auto n = static_cast<double>(counts[i]);
@@ -61,7 +62,8 @@ std::vector<double> radii_of_volume(const std::vector<SizeClass>& classes, std::
   return radii_of_counts(classes, counts);
 }
 
-std::vector<double> radii_of_count(const std::vector<SizeClass>& classes, std::size_t axes, std::size_t count) {
+std::vector<double> radii_of_count(const std::vector<SizeClass>& classes, std::size_t axes,
+                                   std::size_t count) {
   double total = 0;
   for (const SizeClass& c : classes) total += c.share / mean_volume(c, axes);
   std::vector<std::size_t> counts;

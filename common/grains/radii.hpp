@@ -25,7 +25,8 @@ std::vector<SizeClass> size_classes(const scene::Grains& group);
 std::vector<double> radii_of_volume(const std::vector<SizeClass>& classes, std::size_t axes, double volume);
 
 /// The same for a number of grains.
-std::vector<double> radii_of_count(const std::vector<SizeClass>& classes, std::size_t axes, std::size_t count);
+std::vector<double> radii_of_count(const std::vector<SizeClass>& classes, std::size_t axes,
+                                   std::size_t count);
 
 /// Of a grain of radius 1: π of a disc, 4/3 π of a sphere.
 double unit_volume(std::size_t axes);

@@ -31,9 +31,9 @@ inline Vec3 difference(const Vec3& a, const Vec3& b, const Periods& periods) {
 inline double length(const Vec3& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 struct Box {
-  Vec3 lower{}, upper{};    ///< [m]
-  std::size_t axes = 3;     ///< 2: a rectangle
-  Periods periods{};        ///< the box's own side along periodic axes
+  Vec3 lower{}, upper{};   ///< [m]
+  std::size_t axes = 3;    ///< 2: a rectangle
+  Periods periods{};       ///< the box's own side along periodic axes
   double volume() const {  ///< [m³], of a rectangle the area [m²]
     double product = 1;
     for (std::size_t k = 0; k < axes; ++k) product *= upper[k] - lower[k];

@@ -13,8 +13,8 @@ constexpr double allowed_overlap = 0.01;  ///< of the smaller radius
 void check_inside(const scene::Body& body, std::size_t axis, double lower, double upper, const char* where) {
   const double x = body.position[axis];
   require(!body.is_free() || (x >= lower && x <= upper),
-          "the centre of {} must be within {}, {} = {:g} to {:g} m; got {:g} m: move it inside", body.name, where,
-          "xyz"[axis], lower, upper, x);
+          "the centre of {} must be within {}, {} = {:g} to {:g} m; got {:g} m: move it inside", body.name,
+          where, "xyz"[axis], lower, upper, x);
 }
 
 void check_places(const scene::Scene& scene) {
@@ -41,7 +41,8 @@ void check_overlaps(const scene::Scene& scene) {
     const double distance = length(difference(spheres[a].centre, spheres[b].centre, periods));
     const double overlap = one.radius + other.radius - distance;
     require(overlap <= allowed_overlap * std::min(one.radius, other.radius),
-            "bodies must not overlap at the start by more than {:g} of the smaller radius; {} and {} do, by {:.3g} m: move "
+            "bodies must not overlap at the start by more than {:g} of the smaller radius; {} and {} do, by "
+            "{:.3g} m: move "
             "one of them, or make them smaller",
             allowed_overlap, one.name, other.name, overlap);
   }

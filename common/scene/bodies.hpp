@@ -28,8 +28,8 @@ void declare_motion(ParameterVisitor& v, Group& g) {
   v.reals({"velocity", "m/s", "velocity of the centre at the start"}, g.velocity, {axes, axes}, any_number());
   v.reals({"spin", "rad/s", "spin at the start: [ω] in the plane, three entries of a sphere"}, g.spin,
           {spins, spins}, any_number());
-  v.choice({"motion", "", "free: moved by the DEM; fixed: held; prescribed: moves by formulas of t"}, g.motion,
-           motions);
+  v.choice({"motion", "", "free: moved by the DEM; fixed: held; prescribed: moves by formulas of t"},
+           g.motion, motions);
   v.formulas({"prescribed_velocity", "m/s", "velocity as formulas of t, for motion = \"prescribed\""},
              g.prescribed_velocity, {0, 3});
   v.formula({"prescribed_spin", "rad/s", "spin about z as a formula of t, for motion = \"prescribed\""},
@@ -90,7 +90,9 @@ struct Body {
 
   bool is_free() const { return motion == "free"; }
   /// False for a body that is held, and for a disc that spins about its own centre.
-  bool changes_place() const { return is_free() || travels(*this) || (shape == "polygon" && prescribed_spin != "0"); }
+  bool changes_place() const {
+    return is_free() || travels(*this) || (shape == "polygon" && prescribed_spin != "0");
+  }
   bool is_plane() const { return shape != "sphere"; }
   std::size_t axes() const { return is_plane() ? 2 : 3; }
   /// Volume [m³] of the body seen with radius r; a disc or polygon is a cylinder of the scene's thickness.

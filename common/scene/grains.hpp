@@ -1,5 +1,5 @@
-/// [[grains]]: groups of discs or spheres that a generator places (grains/expand.hpp makes bodies of them), so
-/// that a scene of many grains stays a few lines.
+/// [[grains]]: groups of discs or spheres that a generator places (grains/expand.hpp makes bodies of them),
+/// so that a scene of many grains stays a few lines.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace fpi::scene {
 
 struct Grains {
   std::string name;
-  std::string shape = "disc";   ///< disc | sphere
-  std::string generator;        ///< square | hexagonal | cubic | hcp | random | csv
+  std::string shape = "disc";        ///< disc | sphere
+  std::string generator;             ///< square | hexagonal | cubic | hcp | random | csv
   std::vector<double> lower, upper;  ///< corners of the box that the grains fill [m]
   double radius = 0;                 ///< of all grains [m]; 0: one of the next three
   std::vector<double> radius_range;  ///< [smallest, largest] [m]
@@ -77,7 +77,7 @@ struct Grains {
     for (const auto& [key, corner] : {std::pair("lower", &lower), std::pair("upper", &upper)})
       v.require(corner->size() == entries, key,
                 is_csv() ? "must be left out: the table says where grains are"
-                           : "must have an entry for each axis: two of discs, three of spheres");
+                         : "must have an entry for each axis: two of discs, three of spheres");
     v.require(lower.size() != upper.size() || std::ranges::equal(lower, upper, std::less()), "upper",
               "must be above lower along every axis");
     v.real({"solid_fraction", "", "volume of the grains of a random packing over that of the box"},
@@ -120,7 +120,7 @@ struct Grains {
     const int ways = (radius > 0) + !radius_range.empty() + !sieve_sizes.empty();
     v.require(ways == (is_csv() ? 0 : 1), "radius",
               is_csv() ? "must be left out, and radius_range and sieve_sizes: the table has the radii"
-                         : "must be given, or else radius_range, or sieve_sizes with passing: one of them");
+                       : "must be given, or else radius_range, or sieve_sizes with passing: one of them");
   }
 
   static bool is_ascending(const std::vector<double>& values) {

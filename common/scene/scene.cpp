@@ -55,7 +55,8 @@ bool Scene::moves_freely() const {
 }
 
 bool Scene::moves() const {
-  return std::ranges::any_of(bodies, &Body::changes_place) || std::ranges::any_of(grains, &Grains::changes_place);
+  return std::ranges::any_of(bodies, &Body::changes_place) ||
+         std::ranges::any_of(grains, &Grains::changes_place);
 }
 
 Scene part_of(Part part, const Scene& scene) {

@@ -11,6 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 ALLOWED = {
     "common/core": {"core"},
     "common/scene": {"core", "scene"},
+    "common/grains": {"core", "scene", "grains"},
     "common/output": {"core", "output"},
     "proto": {"core", "proto"},
     "fluid_server/fluid": {"core", "scene", "fluid"},
@@ -46,7 +47,7 @@ class Includes(unittest.TestCase):
                 continue
             for include in includes:
                 first = include.split("/")[0]
-                if first in {"core", "scene", "output", "proto", "fluid", "dem", "coupling"} and "/" in include:
+                if first in {"core", "scene", "grains", "output", "proto", "fluid", "dem", "coupling"} and "/" in include:
                     seen += 1
                     self.assertIn(first, ALLOWED[folder], f"{name} includes {include}")
         self.assertGreater(seen, 50)

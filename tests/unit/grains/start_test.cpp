@@ -1,0 +1,42 @@
+#include "grains/start.hpp"
+
+#include <gtest/gtest.h>
+
+#include "spheres.hpp"
+
+namespace fpi::grains {
+namespace {
+
+std::string disc(const std::string& name, const std::string& position, const std::string& more = "") {
+  return "[[bodies]]\nname = \"" + name + "\"\nradius = 0.1\ndensity = 1\nposition = " + position + "\n" +
+         more;
+}
+
+TEST(Start, bodies_that_overlap_are_named) {
+  EXPECT_EQ(error_of(disc("a", "[0, 0]") + disc("b", "[0.15, 0]")),
+            "bodies must not overlap at the start by more than 0.01 of the smaller radius; a and b do, by "
+            "0.05 m: move "
+            "one of them, or make them smaller");
+  EXPECT_EQ(error_of(disc("a", "[0, 0]") + disc("b", "[0.1995, 0]")), "") << "a hundredth is let pass";
+  const std::string free = disc("c", "[9, 9]"), held = "motion = \"fixed\"\n";
+  EXPECT_EQ(error_of(free + disc("a", "[0, 0]", held) + disc("b", "[0.15, 0]", held)), "") << "both are held";
+}
+
+TEST(Start, bodies_of_groups_are_named_too) {
+  const std::string group =
+      "[[grains]]\nname = \"sand\"\ngenerator = \"square\"\nlower = [0, 0]\nupper = [1, 1]\nradius = "
+      "0.1\ndensity = 1\n";
+  EXPECT_NE(error_of(disc("a", "[0.32, 0.1]") + group).find("a and sand.1 do"), std::string::npos)
+      << error_of(disc("a", "[0.32, 0.1]") + group);
+}
+
+TEST(Start, free_bodies_are_inside_the_periodic_cell) {
+  const std::string cell = "[periodic]\nx = [0, 1]\n";
+  EXPECT_EQ(error_of(cell + disc("a", "[1.5, 0]")),
+            "the centre of a must be within the periodic cell, x = 0 to 1 m; got 1.5 m: move it inside");
+  EXPECT_NE(error_of(cell + disc("a", "[0.05, 0]") + disc("b", "[0.95, 0]")), "")
+      << "they overlap through the sides";
+}
+
+}  // namespace
+}  // namespace fpi::grains
