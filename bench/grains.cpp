@@ -1,7 +1,9 @@
 /// Time, memory and contacts of the grains' sub-steps for a packing that other programs can read too:
 ///   grains_bench PACKING.csv SUB_STEPS DT [--discs] [--gravity G] [--box X0,X1,Y0,Y1,Z0,Z1]
+///                [--restitution E] [--out END.csv]
 /// The packing has a line "x,y,z,radius" [m] for each grain, and "vx,vy,vz" [m/s] after it where it moves;
-/// the box has walls where its bounds are finite. Prints JSON.
+/// the box has walls where its bounds are finite; the state at the end can be written as the packing was.
+/// Prints JSON.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -66,14 +68,26 @@ std::vector<scene::Wall> make_walls(const std::vector<double>& bounds) {
   return walls;
 }
 
-scene::Material grain_material() {
+scene::Material grain_material(double restitution) {
   scene::Material material;
   material.name = "grain";
   material.youngs_modulus = 1e7;
   material.poisson_ratio = 0.25;
-  material.restitution = 0.5;
+  material.restitution = restitution;
   material.friction = 0.5;
   return material;
+}
+
+void write_state(const std::string& path, const dem::Solver& solver) {
+  std::ofstream file(path);
+  file << "x,y,z,radius,vx,vy,vz\n";
+  const dem::Motions& motions = solver.motions();
+  for (std::size_t i = 0; i < motions.position.size(); ++i) {
+    const dem::Vec3 &x = motions.position[i], &v = motions.velocity[i];
+    file << fmt::format("{},{},{},{},{},{},{}\n", x.x(), x.y(), x.z(), solver.model().bodies.radius[i], v.x(),
+                        v.y(), v.z());
+  }
+  require(file.good(), "the state at the end must be written; {} cannot be", path);
 }
 
 /// Peak of the resident memory [MB].
@@ -93,16 +107,19 @@ int main(int argc, char** argv) {
     const double dt = std::stod(argv[3]);
     bool discs = false;
     dem::Problem problem;
-    double gravity = 9.81;
+    double gravity = 9.81, restitution = 0.5;
+    std::string end;
     for (int i = 4; i < argc; ++i) {
       const std::string option = argv[i];
       if (option == "--discs") discs = true;
       if (option == "--gravity" && ++i < argc) gravity = std::stod(argv[i]);
+      if (option == "--restitution" && ++i < argc) restitution = std::stod(argv[i]);
+      if (option == "--out" && ++i < argc) end = argv[i];
       if (option == "--box" && ++i < argc) problem.walls = make_walls(numbers(argv[i]));
     }
     problem.gravity = discs ? dem::Vec3(0, -gravity, 0) : dem::Vec3(0, 0, -gravity);
     problem.thickness = discs_thickness;
-    problem.materials = {grain_material()};
+    problem.materials = {grain_material(restitution)};
     problem.dem.steps_per_contact = 1;  // the step asked for
     problem.dem.largest_sub_step = dt;
     problem.bodies = read_packing(argv[1], discs);
@@ -111,6 +128,7 @@ int main(int argc, char** argv) {
     const dem::Advanced outcome = solver.advance(steps * dt, {});
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     require(outcome.converged, "the steps went wrong: {}", outcome.reason);
+    if (!end.empty()) write_state(end, solver);
     const auto n = static_cast<double>(solver.model().bodies.size());
     fmt::print(
         "{{\"grains\": {}, \"sub_steps\": {}, \"seconds\": {:.4f}, \"million_steps_per_second\": {:.3f}, "

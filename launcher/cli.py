@@ -52,6 +52,7 @@ def parser() -> argparse.ArgumentParser:
     script_options(resuming)
     plotting = word("plot", do_plot, "draw the results of a run")
     plotting.add_argument("run", type=Path, metavar="RUN", help="the run folder")
+    plotting.add_argument("--movie", action="store_true", help="and a movie of its grains (MP4 with ffmpeg, else GIF)")
     meshing = word("mesh", do_mesh, "make a body-fitted mesh with Gmsh")
     meshing.add_argument("geometry", metavar="NAME", help="a .geo file, or the name of one in configs/")
     meshing.add_argument("--size", type=factor, default=1.0, metavar="F", help="scales all element sizes (default 1)")
@@ -65,8 +66,8 @@ def parser() -> argparse.ArgumentParser:
     testing.add_argument("--preset", choices=build.PRESETS, default="release")
     testing.add_argument("--jobs", type=positive, metavar="N", help="compilers and tests at a time")
     word("demo", do_demo, "install, build, let a disc settle, draw it")
-    bench = word("bench", do_bench, "run time against error on the benchmark flows, beside FreeFem++ and dolfinx; noise of forces")
-    bench.add_argument("subject", nargs="?", choices=("fluid", "noise"), default="fluid", help="what is measured")
+    bench = word("bench", do_bench, "run time against error on benchmark flows, steps a second of grains, beside other programs; noise of forces")
+    bench.add_argument("subject", nargs="?", choices=("fluid", "grains", "noise"), default="fluid", help="what is measured")
     bench.add_argument("rest", nargs=argparse.REMAINDER, metavar="...", help="its options; -h names them")
     stressing = word("stress", do_stress, "random cases of embedded bodies: which survive, how exact and how quiet they are")
     stressing.add_argument("subject", nargs="?", choices=("interface",), default="interface", help="what is tried")
@@ -145,7 +146,7 @@ def do_plot(arguments) -> int:
     ensure_packages()
     from launcher import plot  # needs packages that set-up installs
 
-    pictures = plot.draw(arguments.run)
+    pictures = plot.draw(arguments.run, arguments.movie)
     for picture in pictures:
         print(picture)
     return 0

@@ -7,15 +7,15 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
 
-from launcher import charts, maps, obstacles, report, results, streams, surface, tractions  # noqa: E402
+from launcher import charts, granular, maps, obstacles, report, results, streams, surface, tractions  # noqa: E402
 from launcher.common import Refusal  # noqa: E402
 
 STYLE = {"figure.dpi": 110, "savefig.dpi": 110, "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
          "axes.grid": False, "legend.frameon": False, "figure.constrained_layout.use": True}
 
 
-def draw(run: Path) -> list[Path]:
-    """Draws what the run has into RUN/plots and returns the pictures."""
+def draw(run: Path, movie: bool = False) -> list[Path]:
+    """Draws what the run has into RUN/plots, and its bodies as a movie where asked for; returns the pictures."""
     if not run.is_dir():
         raise Refusal(f"a run folder is required; there is no {run}")
     folder = run / "plots"
@@ -49,8 +49,13 @@ def draw(run: Path) -> list[Path]:
         if profiles:
             save(charts.profiles(profiles, results.read_profile_quantities(run),
                                  (report.summary_of(run) or {}).get("profiles", {})), "profiles.png")
-        if bodies is not None and len(bodies.time) > 1:
+        many = bodies is not None and len(bodies.names) > charts.MOST_NAMES
+        if many and fields is None:
+            save(granular.snapshots(bodies, scene), "grains.png")
+        if bodies is not None and len(bodies.time) > 1 and not many:
             save(charts.trajectories(bodies, scene), "trajectories.png")
+        if movie:
+            pictures.append(draw_movie(bodies, scene, folder))
         panels = charts.panels(history)
         if panels and len(history.get("time", [])) > 1:
             save(charts.curves(history, panels), "history.png")
@@ -59,3 +64,10 @@ def draw(run: Path) -> list[Path]:
     if not pictures:
         raise Refusal(f"{run} holds no results to draw (fields.h5, bodies.h5, interface.h5, history.csv)")
     return pictures
+
+
+def draw_movie(bodies: results.Bodies | None, scene: results.Scene, folder: Path) -> Path:
+    if bodies is None or len(bodies.time) < 2:
+        raise Refusal("a movie needs bodies at two times or more in bodies.h5: set output.interval in the scene and run again")
+    folder.mkdir(exist_ok=True)
+    return granular.movie(bodies, scene, folder)

@@ -49,6 +49,9 @@ def rows(summary: dict) -> list[tuple[str, str]]:
                                     + load(body)))
     if len(summary["bodies"]) > MOST_LOADS:
         lines.append(("…", f"{len(summary['bodies']) - MOST_LOADS} more bodies"))
+    lines += [(one["name"], f"{one['count']} grains around {vector(one['position'])} m, mean velocity "
+                            f"{vector(one['velocity'])} m/s, kinetic energy {one['kinetic_energy']:.4g} J")
+              for one in summary.get("grains", [])]
     lines += [(one["name"], load(one)) for one in summary.get("boundaries", [])[:MOST_LOADS] if None not in one["force"]]
     for group in ("coefficients", "probes"):
         lines += [(name, f"{value:.8g}") for name, value in summary[group].items() if value is not None]

@@ -21,6 +21,8 @@ class Scene:
     heavy: bool = False  # there is gravity, so the pressure is the reduced one
     closed: bool = False  # no boundary gives the pressure a level
     box: tuple[list[float], list[float]] | None = None  # corners of a rectangular mesh [m]
+    upwards: int = 1  # axis along which gravity acts
+    walls: list[dict] = field(default_factory=list)  # as in the scene
 
     @property
     def pressure_label(self) -> str:
@@ -127,7 +129,9 @@ def read_scene(run: Path) -> Scene:
         scene = tomllib.load(file)
     fluid = scene.get("fluid", {})
     boundaries, mesh = fluid.get("boundaries", {}).values(), fluid.get("mesh", {})
-    return Scene(steady=scene.get("time", {}).get("steady", False), heavy=any(scene.get("gravity", [])),
+    gravity = np.abs(scene.get("gravity", [0, 0]))
+    return Scene(upwards=int(np.argmax(gravity)) if gravity[1:].any() else 1, walls=scene.get("walls", []),
+                 steady=scene.get("time", {}).get("steady", False), heavy=any(scene.get("gravity", [])),
                  closed=all(boundary.get("type") != "traction" for boundary in boundaries),
                  box=(mesh["lower"], mesh["upper"]) if mesh.get("lower") and mesh.get("upper") else None)
 

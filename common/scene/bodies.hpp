@@ -40,7 +40,8 @@ void declare_motion(ParameterVisitor& v, Group& g) {
   v.require(g.motion == "prescribed" || (g.prescribed_velocity.empty() && g.prescribed_spin == "0"),
             g.prescribed_velocity.empty() ? "prescribed_spin" : "prescribed_velocity",
             "goes with motion = \"prescribed\" only: remove it or change the motion");
-  v.require(g.motion != "free" || g.density > 0, "density",
+  // A free polygon is refused as such.
+  v.require(g.motion != "free" || g.shape == "polygon" || g.density > 0, "density",
             "must be > 0 kg/m³ for a body that moves freely (motion = \"free\")");
 }
 

@@ -89,6 +89,7 @@ std::vector<std::string*> file_names(Scene& scene) {
   };
   if (scene.fluid) add(scene.fluid->mesh.file);
   for (Grains& group : scene.grains) add(group.file);
+  for (Wall& wall : scene.walls) add(wall.file);
   return names;
 }
 
