@@ -55,6 +55,8 @@ class View:
         """Where planes that are seen edge on cross the picture: two points each."""
         lines, reach = [], float(np.linalg.norm(self.size))
         for wall in self.scene.walls:
+            if wall.get("shape", "plane") != "plane":
+                continue
             normal, point = (np.array([*wall[key], 0.0])[list(self.axes)] for key in ("normal", "point"))
             if np.linalg.norm(normal) < 0.99 * np.linalg.norm(wall["normal"]):
                 continue

@@ -237,6 +237,74 @@ class Scenes(unittest.TestCase):
         self.assertTrue(resting, "at least one of the discs of radius 0.01 m lies on the floor")
         self.assertLess(max(resting), 0.01 * 0.01)
 
+    def last_bodies(self) -> dict[str, dict]:
+        """Position, velocity [m, m/s] and radius [m] of every body at the end."""
+        import h5py
+
+        with h5py.File(self.run_folder / "bodies.h5") as file:
+            columns = (file["name"].asstr()[:], file["position"][-1], file["velocity"][-1], file["radius"][:])
+        return {name: {"position": x, "velocity": v, "radius": r} for name, x, v, r in zip(*columns)}
+
+    def test_newtons_cradle(self):
+        self.run_scene("newtons_cradle")
+        speed = {name: body["velocity"][0] for name, body in self.last_bodies().items()}
+        for name in ("first_apart", "apart.0", "apart.1", "apart.2"):
+            self.assertLess(abs(speed[name]), 1e-4, name)
+        self.assert_near(speed["apart.3"], 1, 1e-4)
+        chain = [speed["first_touching"], *(speed[f"touching.{i}"] for i in range(4))]
+        for found, expected in zip(chain, (-0.07109, -0.03027, -0.01446, 0.12704, 0.98878)):
+            self.assertLess(abs(found - expected), 5e-4)
+        self.assert_near(sum(chain), 1, 1e-12)
+
+    def test_oblique_impacts(self):
+        found = {body["name"]: body for body in self.run_scene("oblique_impacts")["bodies"]}
+        table = {5: (0.948, 19), 10: (0.687, 213), 20: (0.616, 511), 30: (0.684, 617), 40: (0.781, 545),
+                 50: (0.845, 457), 60: (0.893, 357), 80: (0.966, 126)}
+        for angle, (tangential, spin) in table.items():
+            body, incoming = found[f"at_{angle}"], 3.9 * math.sin(math.radians(angle))
+            self.assert_near(body["velocity"][0] / incoming, tangential, 0.025)
+            self.assertLess(abs(body["spin"][1] - spin), max(5, 0.06 * spin), angle)
+            self.assert_near(body["velocity"][2], 0.98 * 3.9 * math.cos(math.radians(angle)), 1e-3)
+
+    def run_out(self, *overrides: str) -> float:
+        """Of a collapsed column over its width: as far as grains lie side by side from the back wall."""
+        self.run_scene("column_collapse", *overrides)
+        self.assertLess(max(abs(body["velocity"][1]) for body in self.last_bodies().values()), 0.02, "at rest")
+        edge = 0.0
+        for body in sorted(self.last_bodies().values(), key=lambda body: body["position"][0]):
+            if body["position"][0] - body["radius"] > edge + 1e-4:
+                break
+            edge = max(edge, body["position"][0] + body["radius"])
+        return (edge - 0.06) / 0.06
+
+    def test_column_collapse(self):
+        low = self.run_out("grains.0.upper.1=0.04")
+        shutil.rmtree(self.run_folder)
+        high = self.run_out()
+        self.assertGreater(high, 1.2 * 1.03, "sand, which rolls less, goes less far")
+        self.assertLess(high, 3.2 * 1.03)
+        self.assert_near(high / low, 0.07 / 0.04, 0.2)
+
+    def slope(self) -> float:
+        """Angle [degrees] of the surface of what stayed on the ledge."""
+        tops: dict[int, float] = {}
+        for name, body in self.last_bodies().items():
+            x, y = body["position"][:2]
+            if name.startswith("sand") and y > 0 and 0.01 < x < 0.08:
+                strip = int(x / 0.005)
+                tops[strip] = max(tops.get(strip, 0), y)
+        mean, height = sum(tops) / len(tops), sum(tops.values()) / len(tops)
+        rise = sum((s - mean) * (y - height) for s, y in tops.items()) / sum((s - mean)**2 for s in tops)
+        return -math.degrees(math.atan(rise / 0.005))
+
+    def test_angle_of_repose(self):
+        summary = self.run_scene("angle_of_repose")
+        self.assertLess(summary["grains"][1]["kinetic_energy"], 1e-9)
+        rolling = self.slope()
+        self.run_again("angle_of_repose", "materials.0.rolling_friction=0")
+        self.assertTrue(15 < rolling < 35, rolling)
+        self.assertLess(self.slope(), rolling - 2)
+
     def test_settling_disc_starts(self):
         """A coarse mesh and the first twenty steps: straight down, slower than added mass alone would let it fall."""
         summary = self.run_scene("settling_disc", "fluid.mesh.cell_size=6.25e-4", "time.end=0.03")

@@ -1,0 +1,81 @@
+"""Pictures and movies of many grains, from a run folder made by hand."""
+
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import h5py
+import numpy as np
+
+from launcher import granular, plot, results
+from launcher.common import Refusal
+
+COUNT = 20
+SCENE = '''gravity = [0, 0, -9.81]
+[[walls]]
+name = "floor"
+point = [0, 0, 0]
+normal = [0, 0, 2]
+[[walls]]
+name = "front"
+point = [0, 0, 0]
+normal = [0, 1, 0]
+'''
+
+
+def write_run(run: Path, times: int) -> None:
+    """Spheres in a row that rise, the last fastest."""
+    (run / "scene.toml").write_text(SCENE)
+    with h5py.File(run / "bodies.h5", "w") as file:
+        file["name"], file["radius"] = [f"sand.{i}" for i in range(COUNT)], np.full(COUNT, 0.1)
+        file["time"] = 0.1 * np.arange(times)
+        place = np.zeros((times, COUNT, 3))
+        place[:, :, 0] = np.arange(COUNT)
+        place[:, :, 1] = np.arange(COUNT)[::-1]
+        place[:, :, 2] = np.arange(times)[:, None]
+        file["position"] = place
+        file["velocity"] = place
+        for name in ("rotation", "spin", "force", "torque"):
+            file[name] = np.zeros((times, COUNT, 3))
+
+
+class Granular(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.run_folder = Path(folder.name)
+
+    def test_many_grains_are_drawn_coloured_instead_of_their_paths(self):
+        write_run(self.run_folder, times=3)
+        self.assertEqual([path.name for path in plot.draw(self.run_folder)], ["grains.png"])
+
+    def test_spheres_are_seen_from_the_side_nearest_on_top(self):
+        write_run(self.run_folder, times=1)
+        view = granular.View(results.read_bodies(self.run_folder), results.read_scene(self.run_folder))
+        self.assertEqual(view.axes, (0, 2))
+        self.assertEqual(list(view.order), list(range(COUNT)), "from the largest y to the smallest")
+
+    def test_only_walls_seen_edge_on_are_lines(self):
+        write_run(self.run_folder, times=1)
+        view = granular.View(results.read_bodies(self.run_folder), results.read_scene(self.run_folder))
+        (start, end), = view.walls()
+        self.assertEqual((start[1], end[1]), (0, 0))
+        self.assertLess(min(start[0], end[0]), 0)
+        self.assertGreater(max(start[0], end[0]), COUNT - 1)
+
+    def test_a_movie_is_a_gif_where_ffmpeg_is_missing(self):
+        write_run(self.run_folder, times=3)
+        with mock.patch("shutil.which", return_value=None):
+            movie = plot.draw(self.run_folder, movie=True)[-1]
+        self.assertEqual(movie.name, "grains.gif")
+        self.assertEqual(movie.read_bytes()[:4], b"GIF8")
+
+    def test_a_movie_of_one_time_is_refused(self):
+        write_run(self.run_folder, times=1)
+        with self.assertRaises(Refusal):
+            plot.draw(self.run_folder, movie=True)
+
+
+if __name__ == "__main__":
+    unittest.main()
