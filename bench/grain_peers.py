@@ -43,7 +43,8 @@ class Program:
 def programs(driver: Path) -> list[Program]:
     """Ours, and those of the peers that are installed."""
     def our_command(job: Job) -> list[str]:
-        return [*ours(driver, job.packing, job.steps, job.step), "--restitution", str(job.restitution), "--out", str(job.end)]
+        return [*ours(driver, job.packing, job.steps, job.step), "--restitution", str(job.restitution),
+                "--out", str(job.end)]
 
     peers = {"lmp": Program("LAMMPS gran/hertz/history", lammps, loop_seconds, dumped_state),
              "liggghts": Program("LIGGGHTS", liggghts, loop_seconds, dumped_state),
@@ -109,7 +110,8 @@ def lammps(job: Job) -> list[str]:
     law = f"{NORMAL!r} {TANGENTIAL!r} {damping!r} NULL {FRICTION} {int(damping > 0)}"
 
     def wall(axis: str, bound: float, side: int) -> str:
-        return f"fix {axis}{side} all wall/gran hertz/history {law} {axis}plane " + (f"NULL {bound!r}" if side else f"{bound!r} NULL")
+        place = f"NULL {bound!r}" if side else f"{bound!r} NULL"
+        return f"fix {axis}{side} all wall/gran hertz/history {law} {axis}plane {place}"
 
     laws = [f"pair_style gran/hertz/history {law}", "pair_coeff * *"]
     return ["lmp", "-log", "none", "-in", str(script(job, "sphere", "comm_modify vel yes", laws, walls(job, wall)))]

@@ -16,7 +16,7 @@ from bench import grain_results
 from bench.grain_peers import Job, Program, programs
 from bench.impacts import accuracy
 from bench.measure import measure
-from bench.packings import STEP, Packing, gas, settled
+from bench.packings import STEP, Packing, gas, mirrored, settled
 from bench.results import write_json
 from bench.tools import ROOT
 
@@ -35,11 +35,15 @@ def dense(count: int, discs: bool = False) -> Case:
     return Case(count, lambda folder, driver: settled(count, discs, folder, driver))
 
 
+def ten_dense(folder: Path, driver: Path) -> Packing:
+    return mirrored(settled(10000, False, folder, driver), 5, 2, folder)
+
+
 def loose(count: int) -> Case:
     return Case(count, lambda folder, driver: gas(count, folder))
 
 
-CASES = {"dense 1k": dense(1000), "dense 10k": dense(10000), "dense 100k": dense(100000),
+CASES = {"dense 1k": dense(1000), "dense 10k": dense(10000), "dense 100k": Case(100000, ten_dense),
          "gas 10k": loose(10000), "gas 100k": loose(100000), "discs 2.5k": dense(2500, discs=True)}
 
 

@@ -81,6 +81,21 @@ def settled(count: int, discs: bool, folder: Path, driver: Path) -> Packing:
     return packing
 
 
+def mirrored(part: Packing, across: int, deep: int, folder: Path) -> Packing:
+    """A settled packing of spheres beside its mirror images, so that what touched a wall touches its own image there."""
+    sides = part.bounds[1], part.bounds[3]
+    rows = []
+    for i in range(across):
+        for j in range(deep):
+            for x, y, *rest in read(part.file):
+                rows.append((*(tile * side + (side - place if tile % 2 else place)
+                               for tile, side, place in zip((i, j), sides, (x, y))), rest[0], rest[1], 0, 0, 0))
+    packing = Packing(folder / f"mirrored-{len(rows)}.csv", len(rows),
+                      [0, across * sides[0], 0, deep * sides[1], *part.bounds[4:]])
+    write(packing.file, rows)
+    return packing
+
+
 def ours(driver: Path, packing: Packing, steps: int, step: float = STEP, file: Path | None = None) -> list[str]:
     """The command of our driver."""
     return [str(driver), str(file or packing.file), str(steps), repr(step), "--gravity", str(packing.gravity),

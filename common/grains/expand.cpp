@@ -67,8 +67,7 @@ std::vector<Sphere> obstacles(const scene::Scene& scene) {
 std::vector<Row> at_random(const scene::Grains& group, const Box& box, const scene::Scene& scene) {
   const double volume = group.solid_fraction * box.volume();
   const std::vector<SizeClass> classes = size_classes(group);
-  check_number(group, volume / (unit_volume(box.axes) *
-                                std::pow(classes.front().smallest, static_cast<double>(box.axes))));
+  check_number(group, volume * number_density(classes, box.axes));
   const std::vector<double> radii = radii_of_volume(classes, box.axes, volume);
   require(!radii.empty(),
           "[[grains]] \"{}\" must have room for a grain; got a box for less than half of one at "

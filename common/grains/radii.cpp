@@ -55,6 +55,12 @@ std::vector<SizeClass> size_classes(const scene::Grains& group) {
   return classes;
 }
 
+double number_density(const std::vector<SizeClass>& classes, std::size_t axes) {
+  double number = 0;
+  for (const SizeClass& c : classes) number += c.share / mean_volume(c, axes);
+  return number;
+}
+
 std::vector<double> radii_of_volume(const std::vector<SizeClass>& classes, std::size_t axes, double volume) {
   std::vector<std::size_t> counts;
   for (const SizeClass& c : classes)
@@ -64,8 +70,7 @@ std::vector<double> radii_of_volume(const std::vector<SizeClass>& classes, std::
 
 std::vector<double> radii_of_count(const std::vector<SizeClass>& classes, std::size_t axes,
                                    std::size_t count) {
-  double total = 0;
-  for (const SizeClass& c : classes) total += c.share / mean_volume(c, axes);
+  const double total = number_density(classes, axes);
   std::vector<std::size_t> counts;
   double so_far = 0;
   std::size_t given = 0;

@@ -28,6 +28,9 @@ std::vector<double> radii_of_volume(const std::vector<SizeClass>& classes, std::
 std::vector<double> radii_of_count(const std::vector<SizeClass>& classes, std::size_t axes,
                                    std::size_t count);
 
+/// Grains in a unit of solid volume (area of discs).
+double number_density(const std::vector<SizeClass>& classes, std::size_t axes);
+
 /// Of a grain of radius 1: π of a disc, 4/3 π of a sphere.
 double unit_volume(std::size_t axes);
 

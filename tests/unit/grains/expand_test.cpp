@@ -70,6 +70,13 @@ TEST(Expand, refuses_what_no_packing_can_reach) {
   EXPECT_NE(error_of(large).find("must have room for a grain"), std::string::npos) << error_of(large);
 }
 
+TEST(Expand, takes_a_fine_sieve_that_nothing_passes) {
+  std::string graded = sand;
+  const std::string range = "radius_range = [0.01, 0.02]";
+  graded.replace(graded.find(range), range.size(), "sieve_sizes = [1e-6, 0.02, 0.04]\npassing = [0, 0, 100]");
+  EXPECT_EQ(error_of(graded), "");
+}
+
 struct Refused {
   std::string from, to, message;
 };

@@ -38,5 +38,16 @@ TEST(Start, free_bodies_are_inside_the_periodic_cell) {
       << "they overlap through the sides";
 }
 
+TEST(Start, free_bodies_are_inside_the_mesh) {
+  const std::string fluid =
+      "[fluid]\ndensity = 1\ndynamic_viscosity = 1\n[fluid.mesh]\nlower = [0, 0]\nupper = [1, 1]\ncells_x = "
+      "2\n"
+      "cells_y = 2\n[fluid.boundaries]\nleft.type = \"no_slip\"\nright.type = \"no_slip\"\nbottom.type = "
+      "\"no_slip\"\ntop.type = \"no_slip\"\n";
+  EXPECT_EQ(error_of(fluid + disc("a", "[0.5, -0.2]")),
+            "the centre of a must be within the mesh, y = 0 to 1 m; got -0.2 m: move it inside");
+  EXPECT_EQ(error_of(fluid + disc("a", "[0.5, 0.2]")), "");
+}
+
 }  // namespace
 }  // namespace fpi::grains
