@@ -126,7 +126,8 @@ def liggghts(job: Job) -> list[str]:
             f"fix bounce all property/global coefficientRestitution peratomtypepair 1 {job.restitution!r}",
             f"fix rub all property/global coefficientFriction peratomtypepair 1 {FRICTION!r}",
             "pair_style gran model hertz tangential history", "pair_coeff * *"]
-    return ["liggghts", "-log", "none", "-in",
+    # It writes its log where it is started.
+    return ["env", "-C", str(job.end.parent), "liggghts", "-log", "none", "-in",
             str(script(job, "granular", "communicate single vel yes", laws, walls(job, wall)))]
 
 
