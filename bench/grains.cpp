@@ -19,8 +19,8 @@ using namespace fpi;
 
 namespace {
 
-constexpr double density = 2500;       // [kg/m³]
-constexpr double discs_thickness = 1;  // [m]
+constexpr double density = 2500;                       // [kg/m³]
+constexpr double discs_thickness = 4.0 / 3 * 0.55e-3;  // [m]: the mass of spheres, which is what others step
 
 std::vector<double> numbers(const std::string& text) {
   std::vector<double> values;

@@ -15,7 +15,8 @@ PAIRS = 16  # each starts a contact in another part of a step
 
 MASS = 4 / 3 * math.pi * RADIUS**3 * DENSITY / 2
 MODULUS = YOUNGS_MODULUS / (2 * (1 - POISSON_RATIO**2))
-CONTACT_TIME = 2.8683 * (MASS**2 / (RADIUS / 2 * MODULUS**2 * 2 * SPEED))**0.2
+COEFFICIENT = 4 / 5 * math.sqrt(math.pi) * math.gamma(0.4) / math.gamma(0.9) * (15 / 16)**0.4  # 2.8683
+CONTACT_TIME = COEFFICIENT * (MASS**2 / (RADIUS / 2 * MODULUS**2 * 2 * SPEED))**0.2
 
 
 def gaps(step: float) -> Iterator[float]:

@@ -12,6 +12,7 @@ DENSITY = 2500
 YOUNGS_MODULUS, POISSON_RATIO = 1e7, 0.25
 GRAVITY = 9.81
 SHEAR_MODULUS = YOUNGS_MODULUS / (2 * (1 + POISSON_RATIO))
+LAYERS = 12  # of a settled packing: under more the lowest grains, as soft as these, overlap by above a hundredth
 RAYLEIGH = math.pi * RADII[0] * math.sqrt(DENSITY / SHEAR_MODULUS) / (0.1631 * POISSON_RATIO + 0.8766)
 STEP = 0.139 * RAYLEIGH  # [s]
 COLUMNS = ("x", "y", "z", "radius", "vx", "vy", "vz")
@@ -67,15 +68,15 @@ def settled(count: int, discs: bool, folder: Path, driver: Path) -> Packing:
     """Grains let fall from a lattice with sideways velocities, until they lie at rest: our own DEM moves them."""
     draw = random.Random(1)
     axes, spacing = 2 if discs else 3, 2.02 * RADII[1]
-    per_side = math.ceil(count**(1 / axes))
+    per_side = math.ceil(count / LAYERS if discs else math.sqrt(count / LAYERS))
     rows = [(*place, draw.uniform(*RADII), draw.gauss(0, 0.1), draw.gauss(0, 0.1) if axes == 3 else 0.0, 0.0)
             for place in lattice(count, spacing, per_side, axes)]
-    side, far = per_side * spacing, math.inf
+    side, height, far = per_side * spacing, LAYERS * spacing, math.inf
     packing = Packing(folder / f"settled-{axes}-{count}.csv", count,
                       [0, side, 0, far, -far, far] if discs else [0, side, 0, side, 0, far], discs)
     start = folder / "start.csv"
     write(start, rows)
-    falling = 3 * math.sqrt(0.4 * side / GRAVITY)  # a fifth of the height is lost; the rest is for coming to rest
+    falling = 3 * math.sqrt(0.6 * height / GRAVITY)  # a third of the height is lost; the rest is for coming to rest
     subprocess.run([*ours(driver, packing, math.ceil(falling / STEP), file=start), "--out", str(packing.file)],
                    check=True, capture_output=True)
     return packing
