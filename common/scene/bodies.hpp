@@ -64,6 +64,7 @@ struct Body {
   std::string motion = "free";         ///< free | fixed | prescribed
   std::vector<std::string> prescribed_velocity;  ///< [m/s], formulas of t, for motion = "prescribed"
   std::string prescribed_spin = "0";             ///< [rad/s], formula of t
+  bool rotates = true;                           ///< false: forces do not turn it
   std::string material;  ///< a name of [[materials]]; "" takes the first, or none where nothing touches
 
   static constexpr std::array<std::string_view, 3> shapes{"disc", "polygon", "sphere"};
@@ -85,6 +86,7 @@ struct Body {
     v.reals({"position", "m", "centre at the start: [x, y] in the plane, [x, y, z] of a sphere", true},
             position, {axes(), axes()}, any_number());
     declare_motion(v, *this);
+    v.boolean({"rotates", "", "false: a free body that moments do not turn, like a block"}, rotates);
     v.require(!polygon || motion != "free", "motion",
               "must be \"fixed\" or \"prescribed\" for a polygon: there is no contact law for polygons yet");
   }

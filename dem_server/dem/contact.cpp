@@ -66,7 +66,8 @@ void follow(const Contact& contact, const Vec3& stretched, Vec3& spring) {
 
 double pair_inertia(const Bodies& bodies, const Contact& contact) {
   const double b = contact.wall ? 0 : bodies.inverse_inertia[contact.b];
-  return 1 / (bodies.inverse_inertia[contact.a] + b);
+  const double sum = bodies.inverse_inertia[contact.a] + b;
+  return sum > 0 ? 1 / sum : 0;  // what does not turn needs no dashpot
 }
 
 template <class Elastic>
@@ -115,16 +116,21 @@ bool add_contact(const Model& model, const Near& near, const Velocities& velocit
     return false;
   }
   const Contact contact(model, near);
-  const Normal state = normal_state(model, near, velocities.now);
+  Normal state = normal_state(model, near, velocities.now);
+  const double gained = state.rate - normal_state(model, near, velocities.middle).rate;  // in half a sub-step
+  state.acceleration =
+      acceleration_now<Elastic>(near.law, state, 2 * gained / sub_step.duration, sub_step.stretch_time);
   const double N = normal_force<Elastic>(near.law, state, sub_step.duration);
   contact.press(-N * near.at.normal, forces);
+  const bool touches = state.overlap > 0;
+  state.overlap = mean_overlap(state, sub_step.duration);
   if (state.overlap > 0 && N > 0) {
     add_friction<Elastic>(model, contact, near.law, state, N, velocities, sub_step.stretch_time, memory,
                           forces);
   } else {
     memory = Memory{};
   }
-  return state.overlap > 0;
+  return touches;
 }
 
 template bool add_contact<Hertz>(const Model&, const Near&, const Velocities&, const SubStep&, Memory&,

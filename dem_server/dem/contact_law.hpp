@@ -28,10 +28,11 @@ using PairLaw = PairLawOf<double>;
 /// Normal state of a contact.
 template <class Real>
 struct NormalOf {
-  Real mass;     ///< m* [kg]
-  Real radius;   ///< R* [m]
-  Real overlap;  ///< δ [m]
-  Real rate;     ///< dδ/dt [m/s]
+  Real mass;            ///< m* [kg]
+  Real radius;          ///< R* [m]
+  Real overlap;         ///< δ [m]
+  Real rate;            ///< dδ/dt [m/s]
+  Real acceleration{};  ///< d²δ/dt² [m/s²]; zero leaves the integrator its error of second order
 };
 using Normal = NormalOf<double>;
 
@@ -85,18 +86,24 @@ auto with_elastic_law(Elasticity law, Use use) {
   return law == Elasticity::linear ? use(Linear{}) : use(Hertz{});
 }
 
-/// Normal force [N], never attractive: F(δ) (1 − Δt² F'(δ)/(12 m*)) + 2 ζ √(k m*) ds/dt, F = k s ds/dδ.
+/// d²δ/dt² [m/s²] now: what it was `elapsed` [s] ago, and what the pair's own spring has added since.
+template <class Elastic, class Real>
+Real acceleration_now(const PairLawOf<Real>& law, const NormalOf<Real>& c, Real before, double elapsed) {
+  const Real stiffness = Elastic::stiffness(law.normal, c.radius) * Elastic::slope(max(c.overlap, Real{}));
+  return before - elapsed * stiffness / c.mass * c.rate;
+}
+
+/// Normal force [N], never attractive: F + Δt²/12 F' d²δ/dt² + 2 ζ √(k m*) ds/dt, F = k s ds/dδ.
 ///
-/// The bracket takes the error Δt²/24 F²/m* out of the Hamiltonian that velocity Verlet keeps (Rowlands 1991;
-/// Takahashi & Imada 1984), so that an impact without damping has time and speed of fourth order.
-/// With the amplitude s as coordinate the damped contact is a linear oscillator (Tsuji 1992; Antypov &
-/// Elliott 2011). Both parts have infinite slopes or curvatures at δ = 0; they are means over the sub-step Δt
-/// [s] around now, so that the impact does not depend on where in a sub-step the contact starts.
+/// The second term takes the error out of the Hamiltonian that velocity Verlet keeps (Rowlands 1991;
+/// Takahashi & Imada 1984), so that an impact without damping has time and speed of fourth order; at rest it
+/// is zero. With the amplitude s as coordinate the damped contact is a linear oscillator (Tsuji 1992; Antypov
+/// & Elliott 2011). Force and damping have infinite curvature or slope at δ = 0; they are means over the
+/// sub-step Δt [s] around now, so that the impact does not depend on where in a sub-step the contact starts.
 template <class Elastic, class Real>
 Real normal_force(const PairLawOf<Real>& law, const NormalOf<Real>& c, double sub_step) {
   const Real k = Elastic::stiffness(law.normal, c.radius);
   const Real compressed = max(c.overlap, Real{});
-  const Real softening = sub_step * sub_step / 12 * k / c.mass * Elastic::slope(compressed);
   const Real way = sub_step * c.rate;
   const Real before = Elastic::amplitude(max(c.overlap - 0.5 * way, Real{}));
   const Real after = Elastic::amplitude(max(c.overlap + 0.5 * way, Real{}));
@@ -104,8 +111,17 @@ Real normal_force(const PairLawOf<Real>& law, const NormalOf<Real>& c, double su
   const Real slope = select(max(way, -way) > 1e-5 * compressed, (after - before) / way,
                             Elastic::amplitude_slope(compressed));
   const Real elastic = 0.5 * k * (before + after) * slope;
+  const Real shift = sub_step * sub_step / 12 * c.acceleration;
   const Real damping = 2 * law.damping_ratio * sqrt(k * c.mass) * (after - before) / sub_step;
-  return max(elastic * (1 - softening) + damping, Real{});
+  return max(elastic + k * Elastic::slope(compressed) * shift + damping, Real{});
+}
+
+/// Mean overlap [m] of the ends of a sub-step: where surfaces meet or part within it, the normal force acts
+/// and so does friction.
+template <class Real>
+Real mean_overlap(const NormalOf<Real>& c, double sub_step) {
+  const Real half = 0.5 * sub_step * c.rate;
+  return 0.5 * (max(c.overlap + half, Real{}) + max(c.overlap - half, Real{}));
 }
 
 /// Spring and dashpot along the surface or about the contact.
@@ -145,15 +161,22 @@ Real length(const Vector& v) {
     return sqrt(v.dot(v));
 }
 
-/// Force or moment of a spring and dashpot with a limit. Past the limit it slips, and `stretch` is shortened
-/// to what the limit carries.
+/// Share of a force that a limit leaves of it: 1 within the limit.
+template <class Real, class Vector>
+Real share_within(Real limit, const Vector& force) {
+  const Real size = length<Real>(force);
+  return select(size > limit, limit / size, Real{} + 1);
+}
+
+/// Force or moment of a spring and dashpot with a limit. Past the limit the spring slips: `stretch` is
+/// shortened to what the limit carries. The dashpot has no memory, or fast sliding would wind the spring up
+/// against it and end below the limit.
 template <class Real, class Vector>
 Vector stick_slip(const SpringOf<Real>& spring, Real limit, const Vector& rate, Vector& stretch) {
+  const Vector elastic = spring.stiffness * stretch;
+  stretch = share_within(limit, elastic) * stretch;
   const Vector trial = -spring.stiffness * stretch - spring.damping * rate;
-  const Real size = length<Real>(trial);
-  const Real share = select(size > limit, limit / size, Real{} + 1);
-  stretch += (1 - share) / spring.stiffness * trial;
-  return share * trial;
+  return share_within(limit, trial) * trial;
 }
 
 }  // namespace fpi::dem

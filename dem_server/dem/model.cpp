@@ -41,7 +41,7 @@ void add_body(const Problem& problem, const scene::Body& body, Bodies& bodies) {
   bodies.radius.push_back(R);
   bodies.mass.push_back(mass);
   bodies.inverse_mass.push_back(body.is_free() ? 1 / mass : 0);
-  bodies.inverse_inertia.push_back(body.is_free() ? 1 / inertia : 0);
+  bodies.inverse_inertia.push_back(body.is_free() && body.rotates ? 1 / inertia : 0);
   bodies.material.push_back(material_index(problem, "body " + body.name, body.material));
 }
 

@@ -33,7 +33,7 @@ struct Bodies {
   std::vector<double> radius;           ///< R [m]
   std::vector<double> mass;             ///< [kg]
   std::vector<double> inverse_mass;     ///< [1/kg], 0 where not free
-  std::vector<double> inverse_inertia;  ///< [1/(kg m²)], 0 where not free
+  std::vector<double> inverse_inertia;  ///< [1/(kg m²)], 0 where not free to turn
   std::vector<std::size_t> material;
   std::size_t size() const { return radius.size(); }
   bool is_free(std::size_t i) const { return inverse_mass[i] > 0; }

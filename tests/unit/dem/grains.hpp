@@ -106,8 +106,8 @@ inline double energy(const Solver& solver) {
     if (model.bodies.inverse_inertia[i] > 0)
       sum += 0.5 / model.bodies.inverse_inertia[i] * m.spin[i].squaredNorm();
     for (std::uint32_t j = 0; j < i; ++j) sum += stored(model, m, near(model, m.position, Pair{j, i}));
-    for (std::uint32_t w = 0; w < model.walls.size(); ++w)
-      sum += stored(model, m, near(model, m.position, WallPlace{i, w}));
+    for (std::uint32_t f = 0; f < model.walls.facets.size(); ++f)
+      sum += stored(model, m, near(model, m.position, solver.walls(), WallPlace{i, f}));
   }
   return sum;
 }

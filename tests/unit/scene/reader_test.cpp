@@ -51,11 +51,11 @@ position = [0, 0, 5]
 TEST(Reader, finds_every_unknown_key_and_suggests_the_near_ones) {
   const std::string text =
       with(with(settling, "density = 1000", "densty = 1000"), "[fluid.mesh]", "[fluid.mehs]");
-  EXPECT_EQ(
-      error_of(text + "colour = \"red\"\n"),
-      "drop.toml:9: the key \"fluid.densty\" is not known; did you mean \"density\"?\n"
-      "drop.toml:12: the key \"fluid.mehs\" is not known; did you mean \"mesh\"?\n"
-      "drop.toml:38: the key \"walls.0.colour\" is not known; known here: name, point, normal, material");
+  EXPECT_EQ(error_of(text + "colour = \"red\"\n"),
+            "drop.toml:9: the key \"fluid.densty\" is not known; did you mean \"density\"?\n"
+            "drop.toml:12: the key \"fluid.mehs\" is not known; did you mean \"mesh\"?\n"
+            "drop.toml:38: the key \"walls.0.colour\" is not known; known here: name, shape, point, "
+            "normal, vertices, closed, centre, radius, start, end, file, scale, velocity, spin, material");
 }
 
 TEST(Reader, finds_an_unknown_table) {
