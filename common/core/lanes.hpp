@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace fpi {
 
@@ -39,5 +41,40 @@ inline double max(double a, double b) { return std::max(a, b); }
 inline Lanes max(Lanes a, Lanes b) { return a < b ? b : a; }
 inline double min(double a, double b) { return std::min(a, b); }
 inline Lanes min(Lanes a, Lanes b) { return b < a ? b : a; }
+
+inline Lanes abs(Lanes v) { return max(v, -v); }
+
+inline Lanes all_lanes(double v) { return Lanes{} + v; }
+/// Four numbers one after another in memory.
+inline Lanes load(const double* from) {
+  Lanes v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+inline void store(Lanes v, double* to) { std::memcpy(to, &v, sizeof v); }
+
+/// Bit k is set where lane k of a comparison holds.
+template <class Mask>
+unsigned bits(Mask where) {
+#ifdef __AVX__
+  return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(where)));
+#else
+  unsigned set = 0;
+  for (int lane = 0; lane < n_lanes; ++lane) set |= (where[lane] ? 1u : 0u) << lane;
+  return set;
+#endif
+}
+
+/// Four records of four numbers become the four numbers of four records, and back.
+inline void transpose(Lanes& a, Lanes& b, Lanes& c, Lanes& d) {
+  typedef std::int64_t Order __attribute__((vector_size(32)));
+  const Order even{0, 4, 2, 6}, odd{1, 5, 3, 7}, low{0, 1, 4, 5}, high{2, 3, 6, 7};
+  const Lanes ab_even = __builtin_shuffle(a, b, even), ab_odd = __builtin_shuffle(a, b, odd);
+  const Lanes cd_even = __builtin_shuffle(c, d, even), cd_odd = __builtin_shuffle(c, d, odd);
+  a = __builtin_shuffle(ab_even, cd_even, low);
+  b = __builtin_shuffle(ab_odd, cd_odd, low);
+  c = __builtin_shuffle(ab_even, cd_even, high);
+  d = __builtin_shuffle(ab_odd, cd_odd, high);
+}
 
 }  // namespace fpi

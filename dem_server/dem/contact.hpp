@@ -19,7 +19,14 @@ struct Forces {
 struct ContactCount {
   std::uint64_t touching = 0;
   double largest_overlap = 0;  ///< [m]
-  std::string too_deep;  ///< who overlap beyond a radius: the step was too long, or a body came from outside
+  std::string
+      too_deep{};  ///< who overlap beyond a radius: the step was too long, or a body came from outside
+
+  void add(const ContactCount& other) {
+    touching += other.touching;
+    largest_overlap = std::max(largest_overlap, other.largest_overlap);
+    if (!other.too_deep.empty()) too_deep = other.too_deep;
+  }
 };
 
 /// Velocities that the contacts see: at the middle of the last sub-step for what their springs have stretched

@@ -2,7 +2,9 @@
 /// searches, rollback and checkpoints.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "dem/rotation.hpp"
@@ -20,7 +22,7 @@ struct Memory {
 /// `Place` says who touches whom.
 template <class Place>
 struct ContactList {
-  std::vector<Place> places;     ///< in ascending order, so that sums do not depend on when the search was
+  std::vector<Place> places;     ///< who
   std::vector<Memory> memories;  ///< of each place
 
   /// Takes up what a search found; memories stay with their places.
@@ -33,6 +35,18 @@ struct ContactList {
     }
     places = std::move(found);
     memories = std::move(carried);
+  }
+
+  void sort() {
+    std::vector<std::size_t> order(places.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t p) { return places[p]; });
+    ContactList sorted;
+    for (const std::size_t p : order) {
+      sorted.places.push_back(places[p]);
+      sorted.memories.push_back(memories[p]);
+    }
+    *this = std::move(sorted);
   }
 
   /// Keeps only places with a memory: what a resumed run starts from.

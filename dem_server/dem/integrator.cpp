@@ -7,7 +7,8 @@
 
 #include "dem/attraction.hpp"
 #include "dem/films.hpp"
-#include "dem/forces.hpp"
+#include "dem/pair_forces.hpp"
+#include "dem/sweep.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -22,17 +23,19 @@ class Integration {
         loads_(loads),
         state_(state),
         motions_(state.motions),
-        neighbours_(state.neighbours),
         films_(model, resolved_gaps),
-        forces_(loads),
-        velocity_now_(motions_.velocity),
-        spin_now_(motions_.spin) {
-    if (neighbours_.origin.empty() || neighbours_.reach < reach()) search_neighbours();
+        particles_(begin()),
+        memories_(state.contacts, *state.neighbours, model.laws.resists_turning()) {
+    state_.contacts = {};
+    note_search();
   }
 
   Advanced run(double duration) {
     for (left_ = duration; left_ > 0 && outcome_.converged;) {
-      const Outlook ahead = look_ahead(model_, state_, loads_, left_);
+      write_scene_ordered();
+      Outlook ahead{left_};
+      look_ahead_pairs(model_, *state_.neighbours, particles_, motions_.position, ahead);
+      look_ahead_walls(model_, state_, loads_, ahead);
       const double film_step = films_.longest_step(state_, loads_);
       films_.place(state_);
       const bool flies = std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step;
@@ -43,6 +46,8 @@ class Integration {
       }
       check_finite();
     }
+    particles_.write(motions_);
+    state_.contacts = memories_.collect(*state_.neighbours);
     for (Orientation& orientation : motions_.orientation) orientation.settle();
     return outcome_;
   }
@@ -54,17 +59,18 @@ class Integration {
     const double before_contact =
         std::isinf(ahead.free_time) ? ahead.free_time : ahead.free_time - ahead.contact_step;
     const double wanted = std::min({left_, before_contact, film_step, model_.largest_sub_step});
-    const double within_skin = time_within_skin(model_, state_, loads_);
-    const bool moved = neighbours_.origin != motions_.position || state_.wall_contacts.moved > 0;
+    const double within_skin = time_within_skin(*state_.neighbours, state_.wall_contacts, particles_);
+    const bool moved = farthest_moved(*state_.neighbours, particles_) > 0 || state_.wall_contacts.moved > 0;
     if (within_skin < wanted && moved) return search_neighbours();
     const double duration = std::min(wanted, within_skin);
     if (!is_affordable(left_ / duration)) return;
-    forces_ = loads_;
     forces_stand_ = false;
-    kick(0.5 * duration);
-    drift(duration);
-    kick(0.5 * duration);
+    sweep({.clear = true});
+    move({.kick = 0.5 * duration, .drift = duration});
+    sweep({.kick = 0.5 * duration});
     left_ -= duration;
+    steps_left_ = 0;
+    ahead_ = 0;
     ++outcome_.sub_steps;
     outcome_.contacts = 0;
   }
@@ -72,36 +78,74 @@ class Integration {
   /// About one contact time of sub-steps, or what is left; ends early where a search finds new neighbours,
   /// and after each sub-step where there are films, whose step follows the gap.
   void take_sub_steps(double sub_step_wanted) {
-    // Steps that keep their length keep the integrator symplectic: a hundredth is not worth another one.
-    const double longest = std::min(sub_step_wanted, model_.largest_sub_step);
-    const double wanted = std::max(1.0, std::ceil(left_ / longest - 0.01));
-    if (!is_affordable(wanted)) return;
-    const double dt = left_ / wanted;
-    films_.prepare(0.5 * dt);
-    if (!forces_stand_) find_forces_at_start(dt);
-    const double batch = films_.empty() ? std::min(wanted, std::ceil(model_.steps_per_contact)) : 1;
+    choose_sub_step(std::min(sub_step_wanted, model_.largest_sub_step));
+    if (!is_affordable(steps_left_)) return;
+    films_.prepare(0.5 * dt_);
+    if (!forces_stand_ || ahead_ != 0.5 * dt_) find_forces_at_start();
+    double batch = films_.empty() ? std::min(steps_left_, std::ceil(model_.steps_per_contact)) : 1;
     const std::uint64_t searches = outcome_.searches;
-    double taken = 0;
-    while (taken < batch && outcome_.converged && outcome_.searches == searches) {
-      sub_step(dt);
-      ++taken;
+    for (double kick = 0.5 * dt_; batch > 0 && outcome_.converged && outcome_.searches == searches; --batch) {
+      --steps_left_;
+      films_.empty() ? sub_step(kick) : sub_step_with_films();
+      kick = dt_;
     }
-    left_ = taken < wanted ? left_ - taken * dt : 0;
+    if (films_.empty()) sweep({.kick = 0.5 * dt_});
+    left_ = steps_left_ * dt_;
   }
 
-  void sub_step(double dt) {
-    kick(0.5 * dt);
-    films_.damp(motions_.velocity, motions_.spin);
-    drift(dt);
-    if (moved_beyond_skin()) search_neighbours();
-    films_.place(state_);
-    films_.prepare(0.5 * dt);
-    extrapolate(0.5 * dt);
-    films_.damp(velocity_now_, spin_now_);
-    find_forces(dt, dt);
-    kick(0.5 * dt);
-    films_.damp(motions_.velocity, motions_.spin);
+  /// Steps that keep their length keep the integrator symplectic: a hundredth is not worth another one, and
+  /// one that is a little short is kept.
+  void choose_sub_step(double longest) {
+    if (steps_left_ > 0 && dt_ <= 1.01 * longest && dt_ >= 0.8 * longest) return;
+    steps_left_ = std::max(1.0, std::ceil(left_ / longest - 0.01));
+    dt_ = left_ / steps_left_;
+  }
+
+  /// From the middle of the last sub-step, or with half the `kick` from its end, to the middle of this one.
+  void sub_step(double kick) {
+    move({.kick = kick, .drift = dt_, .extrapolate = 0.5 * dt_, .clear = true});
+    find_forces(0.5 * dt_, dt_);
     ++outcome_.sub_steps;
+  }
+
+  void sub_step_with_films() {
+    sweep({.kick = 0.5 * dt_});
+    damp(particles_.half);
+    move({.drift = dt_});
+    particles_.write(motions_);
+    films_.place(state_);
+    films_.prepare(0.5 * dt_);
+    sweep({.extrapolate = 0.5 * dt_, .clear = true});
+    damp(particles_.now);
+    find_forces(0.5 * dt_, dt_);
+    sweep({.kick = 0.5 * dt_});
+    damp(particles_.half);
+    ++outcome_.sub_steps;
+  }
+
+  double sweep(const Sweep& pass) { return pass(particles_, motions_.orientation); }
+
+  /// A sweep on which bodies and walls move, and a search where they have left their skin.
+  void move(const Sweep& pass) {
+    fastest_ = sweep(pass);
+    state_.wall_contacts.drift(pass.drift);
+    moved_ += fastest_ * pass.drift;
+    const double allowed = 0.5 * state_.neighbours->skin;
+    if (moved_ > allowed) moved_ = farthest_moved(*state_.neighbours, particles_);
+    // Written so that a position that is not a number counts as moved.
+    if (!(moved_ <= allowed) || state_.wall_contacts.moved > allowed) search_neighbours();
+  }
+
+  void damp(std::vector<Twin>& motion) {
+    for (std::size_t k = 0; k < particles_.size(); ++k) {
+      velocity_now_[particles_.body[k]] = motion[k].linear.head<3>();
+      spin_now_[particles_.body[k]] = motion[k].angular.head<3>();
+    }
+    films_.damp(velocity_now_, spin_now_);
+    for (std::size_t k = 0; k < particles_.size(); ++k) {
+      motion[k].linear.head<3>() = velocity_now_[particles_.body[k]];
+      motion[k].angular.head<3>() = spin_now_[particles_.body[k]];
+    }
   }
 
   /// Stops where `more` steps would be too many.
@@ -114,42 +158,20 @@ class Integration {
     return false;
   }
 
-  void kick(double duration) {
-    for (std::size_t i = 0; i < motions_.velocity.size(); ++i) {
-      motions_.velocity[i] += duration * model_.bodies.inverse_mass[i] * forces_.force[i];
-      motions_.spin[i] += duration * model_.bodies.inverse_inertia[i] * forces_.torque[i];
-    }
+  /// Springs that were stretched in advance for another sub-step are taken back.
+  void find_forces_at_start() {
+    fastest_ = sweep({.clear = true});
+    find_forces(-ahead_, 0);
   }
 
-  void drift(double duration) {
-    for (std::size_t i = 0; i < motions_.position.size(); ++i) {
-      motions_.position[i] += duration * motions_.velocity[i];
-      motions_.orientation[i].turn(duration * motions_.spin[i]);
-    }
-    state_.wall_contacts.drift(duration);
-  }
-
-  /// Velocities after the second half of a sub-step as the forces of its first half would have them: with
-  /// these the dashpots keep the order 2.
-  void extrapolate(double duration) {
-    for (std::size_t i = 0; i < motions_.velocity.size(); ++i) {
-      velocity_now_[i] = motions_.velocity[i] + duration * model_.bodies.inverse_mass[i] * forces_.force[i];
-      spin_now_[i] = motions_.spin[i] + duration * model_.bodies.inverse_inertia[i] * forces_.torque[i];
-    }
-  }
-
-  void find_forces_at_start(double dt) {
-    velocity_now_ = motions_.velocity;
-    spin_now_ = motions_.spin;
-    find_forces(0, dt);
-  }
-
-  void find_forces(double stretch_time, double dt) {
-    forces_ = loads_;
-    const Velocities velocities{motions_.velocity, motions_.spin, velocity_now_, spin_now_};
-    const ContactCount count = add_contacts(model_, motions_.position, velocities, stretch_time, dt,
-                                            neighbours_, state_.wall_contacts, forces_);
-    add_attractions(model_, state_, forces_);
+  /// Springs of pairs have stretched for `before` [s] since they were last left; the last forces were found
+  /// `elapsed` [s] ago.
+  void find_forces(double before, double elapsed) {
+    ahead_ = steps_left_ > 0 ? 0.5 * dt_ : 0;
+    const double reach = dt_ * std::max(fastest_, state_.wall_contacts.speed);
+    ContactCount count = add_pair_forces(model_, *state_.neighbours, {before, ahead_, elapsed, dt_, reach},
+                                         memories_, particles_);
+    add_scene_ordered({elapsed, dt_, reach}, count);
     forces_stand_ = true;
     outcome_.contacts = count.touching;
     outcome_.largest_overlap = std::max(outcome_.largest_overlap, count.largest_overlap);
@@ -160,34 +182,78 @@ class Integration {
     }
   }
 
-  bool moved_beyond_skin() const {
-    if (state_.wall_contacts.moved > 0.5 * neighbours_.skin) return true;
-    const double allowed = 0.25 * neighbours_.skin * neighbours_.skin;
-    for (std::size_t i = 0; i < motions_.position.size(); ++i) {
-      // Written so that a position that is not a number counts as moved.
-      if (!((motions_.position[i] - neighbours_.origin[i]).squaredNorm() <= allowed)) return true;
+  /// The contacts of walls and the attractions read and write in the scene's order, for the particles that
+  /// have such.
+  void add_scene_ordered(const SubStep& step, ContactCount& count) {
+    for (const std::uint32_t k : scene_ordered_) {
+      const std::uint32_t i = particles_.body[k];
+      particles_.write(k, motions_);
+      velocity_now_[i] = particles_.now[k].linear.head<3>();
+      spin_now_[i] = particles_.now[k].angular.head<3>();
+      forces_.force[i].setZero();
+      forces_.torque[i].setZero();
     }
-    return false;
+    const Velocities velocities{motions_.velocity, motions_.spin, velocity_now_, spin_now_};
+    add_wall_contacts(model_, motions_.position, velocities, step, state_.wall_contacts, forces_, count);
+    add_attractions(model_, state_, forces_);
+    for (const std::uint32_t k : scene_ordered_) {
+      const std::uint32_t i = particles_.body[k];
+      particles_.push[k].linear.head<3>() += forces_.force[i];
+      particles_.push[k].angular.head<3>() += forces_.torque[i];
+    }
+  }
+
+  void write_scene_ordered() {
+    for (const std::uint32_t k : scene_ordered_) particles_.write(k, motions_);
   }
 
   /// The gap at which surfaces begin to act on each other [m].
   double reach() const { return std::max(films_.reach(), widest_attraction(model_)); }
 
+  Particles begin() {
+    if (!state_.neighbours || state_.neighbours->reach < reach()) find_neighbours(model_, reach(), state_);
+    return {model_, motions_, loads_, state_.neighbours->order};
+  }
+
   void search_neighbours() {
     check_finite();
     if (!outcome_.converged) return;
+    particles_.write(motions_);
+    state_.contacts = memories_.collect(*state_.neighbours);
+    std::vector<std::uint32_t> particle(particles_.size());
+    for (std::uint32_t k = 0; k < particle.size(); ++k) particle[particles_.body[k]] = k;
     find_neighbours(model_, reach(), state_);
+    std::vector<std::uint32_t> order = state_.neighbours->order;
+    for (std::uint32_t& k : order) k = particle[k];
+    particles_.reorder(order);
+    memories_ = {state_.contacts, *state_.neighbours, model_.laws.resists_turning()};
     ++outcome_.searches;
+    note_search();
+  }
+
+  /// What follows from a list of neighbours.
+  void note_search() {
+    moved_ = farthest_moved(*state_.neighbours, particles_);
+    std::vector<bool> takes_part(particles_.size(), reach() > 0);
+    for (const WallPlace& place : state_.wall_contacts.places) takes_part[place.body] = true;
+    scene_ordered_.clear();
+    for (std::uint32_t k = 0; k < particles_.size(); ++k) {
+      if (takes_part[particles_.body[k]]) scene_ordered_.push_back(k);
+    }
+    if (scene_ordered_.empty()) return;
+    for (auto* values : {&velocity_now_, &spin_now_, &forces_.force, &forces_.torque})
+      values->resize(particles_.size());
   }
 
   void check_finite() {
-    for (std::size_t i = 0; i < motions_.position.size() && outcome_.converged; ++i) {
-      const double sum = motions_.position[i].squaredNorm() + motions_.velocity[i].squaredNorm() +
-                         motions_.spin[i].squaredNorm();
+    for (std::size_t k = 0; k < particles_.size() && outcome_.converged; ++k) {
+      const double sum = particles_.place[k].squaredNorm() +
+                         particles_.half[k].linear.head<3>().squaredNorm() +
+                         particles_.half[k].angular.head<3>().squaredNorm();
       if (!std::isfinite(sum)) {
         stop(fmt::format(
             "body {} has a position, velocity or spin that is not finite: take a shorter time step",
-            model_.bodies.name[i]));
+            model_.bodies.name[particles_.body[k]]));
       }
     }
   }
@@ -201,12 +267,19 @@ class Integration {
   const Forces& loads_;
   State& state_;
   Motions& motions_;
-  Neighbours& neighbours_;
   Films films_;
-  Forces forces_;
+  Particles particles_;
+  PairMemories memories_;
+  std::vector<std::uint32_t> scene_ordered_;  ///< particles near walls; all where something acts through gaps
   std::vector<Vec3> velocity_now_, spin_now_;
-  bool forces_stand_ = false;  ///< forces_ are those of the current motions
+  Forces forces_;              ///< on these
+  bool forces_stand_ = false;  ///< the forces are those of the current motions
   double left_ = 0;            ///< [s] of the step
+  double dt_ = 0;              ///< [s] the sub-step
+  double steps_left_ = 0;      ///< of this length; 0 where the length is free
+  double ahead_ = 0;           ///< [s] that the springs of pairs are stretched in advance
+  double fastest_ = 0;         ///< [m/s] that no body exceeds
+  double moved_ = 0;           ///< [m] that no body has moved farther since the last search
   Advanced outcome_;
 };
 

@@ -5,6 +5,11 @@
 #include <numbers>
 
 namespace fpi::dem {
+namespace {
+
+constexpr double hertz_duration = 2.868266;  ///< of an impact, times (m*²/(R* E*² v))^(1/5)
+
+}  // namespace
 
 PairLaw combine(const scene::Material& a, const scene::Material& b, Elasticity elasticity) {
   const bool linear = elasticity == Elasticity::linear;
@@ -35,6 +40,11 @@ LawTable::LawTable(const std::vector<scene::Material>& materials, Elasticity ela
   }
 }
 
+bool LawTable::resists_turning() const {
+  return std::ranges::any_of(
+      laws_, [](const PairLaw& law) { return law.rolling_friction > 0 || law.twisting_friction > 0; });
+}
+
 double restitution(double zeta) {
   const double w = std::abs(1 - zeta * zeta);
   if (w < 1e-12) return std::exp(-2.0);
@@ -54,7 +64,7 @@ double damping_ratio(double e) {
 
 double contact_time(double mass, double radius, double normal_modulus, double speed) {
   const double m_over_e = mass / normal_modulus;
-  return 2.868266 * std::pow(m_over_e * m_over_e / (radius * speed), 0.2);
+  return hertz_duration * std::pow(m_over_e * m_over_e / (radius * speed), 0.2);
 }
 
 double equivalent_speed(const PairLaw& law, const Normal& c) {
@@ -66,6 +76,12 @@ double contact_time(Elasticity elasticity, const PairLaw& law, const Normal& c) 
   if (elasticity == Elasticity::linear)
     return std::numbers::pi * std::sqrt(c.mass / Linear::stiffness(law.normal, c.radius));
   return contact_time(c.mass, c.radius, law.normal, equivalent_speed(law, c));
+}
+
+bool lasts_longer(Elasticity elasticity, const PairLaw& law, const Normal& contact, double time) {
+  if (elasticity == Elasticity::linear) return contact_time(elasticity, law, contact) > time;
+  const double m_over_e = contact.mass / law.normal, share = time / hertz_duration, squared = share * share;
+  return m_over_e * m_over_e > squared * squared * share * contact.radius * equivalent_speed(law, contact);
 }
 
 }  // namespace fpi::dem

@@ -23,6 +23,9 @@ class LawTable {
     return std::ranges::any_of(laws_, [](const PairLaw& law) { return law.adhesion > 0; });
   }
   const PairLaw& operator()(std::size_t a, std::size_t b) const { return laws_[a * n_ + b]; }
+  std::size_t n_materials() const { return n_; }
+  /// Whether any pair resists rolling or twisting.
+  bool resists_turning() const;
 
  private:
   std::size_t n_;
@@ -43,5 +46,7 @@ double contact_time(double mass, double radius, double normal_modulus, double sp
 double equivalent_speed(const PairLaw& law, const Normal& contact);
 /// Duration [s] of the undamped impact with that energy; of a linear spring π √(m*/k).
 double contact_time(Elasticity elasticity, const PairLaw& law, const Normal& contact);
+/// Whether it lasts longer than `time` [s]: cheaper than its duration.
+bool lasts_longer(Elasticity elasticity, const PairLaw& law, const Normal& contact, double time);
 
 }  // namespace fpi::dem

@@ -1,9 +1,11 @@
 #include "dem/neighbours.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <cmath>
 #include <numeric>
+
+#include "core/parallel.hpp"
+#include "dem/cells.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -11,97 +13,142 @@ namespace {
 constexpr std::size_t few = 16;           ///< bodies
 constexpr std::size_t few_facets = 64;    ///< of walls
 constexpr double skin_over_radius = 0.4;  ///< of the mean radius
+constexpr std::size_t chunk = 1024;       ///< bodies whose neighbours one thread looks for at once
+constexpr std::size_t slab_size = 256;    ///< bodies that a slab has on average, at least
 
-/// Bodies sorted into cubes no smaller than the reach of any pair.
-class Grid {
- public:
-  Grid(const std::vector<Vec3>& position, double reach) : lower_(position[0]) {
-    Vec3 upper = position[0];
-    for (const Vec3& x : position) {
-      lower_ = lower_.cwiseMin(x);
-      upper = upper.cwiseMax(x);
-    }
-    choose_cells(upper - lower_, reach, 2 * position.size());
-    std::vector<std::size_t> cell(position.size());
-    start_.assign(n_[0] * n_[1] * n_[2] + 1, 0);
-    for (std::size_t i = 0; i < position.size(); ++i) {
-      cell[i] = index(coordinates(position[i]));
-      ++start_[cell[i] + 1];
-    }
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    body_.resize(position.size());
-    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-    for (std::size_t i = 0; i < position.size(); ++i) body_[next[cell[i]]++] = static_cast<std::uint32_t>(i);
-  }
-
-  /// Calls visit(j) for every body in the cell of x and those around it.
-  template <class Visit>
-  void around(const Vec3& x, Visit visit) const {
-    const auto c = coordinates(x);
-    const auto first = [&](int d) { return c[d] - std::min<std::size_t>(c[d], 1); };
-    const auto last = [&](int d) { return std::min(c[d] + 1, n_[d] - 1); };
-    for (std::size_t k = first(2); k <= last(2); ++k) {
-      for (std::size_t j = first(1); j <= last(1); ++j) {
-        const std::size_t row = (k * n_[1] + j) * n_[0];
-        for (std::size_t at = start_[row + first(0)]; at < start_[row + last(0) + 1]; ++at) visit(body_[at]);
-      }
-    }
-  }
-
- private:
-  /// Cubes of at least `reach`, enlarged until there are no more than `most`.
-  void choose_cells(const Vec3& extent, double reach, std::size_t most) {
-    for (size_ = reach;; size_ *= 1.25) {
-      double product = 1;
-      for (int d = 0; d < 3; ++d) product *= std::floor(extent[d] / size_) + 1;
-      if (product > static_cast<double>(most)) continue;
-      for (int d = 0; d < 3; ++d) n_[d] = static_cast<std::size_t>(extent[d] / size_) + 1;
-      return;
-    }
-  }
-  std::array<std::size_t, 3> coordinates(const Vec3& x) const {
-    std::array<std::size_t, 3> c;
-    for (int d = 0; d < 3; ++d)
-      c[d] = std::min(static_cast<std::size_t>((x[d] - lower_[d]) / size_), n_[d] - 1);
-    return c;
-  }
-  std::size_t index(const std::array<std::size_t, 3>& c) const {
-    return (c[2] * n_[1] + c[1]) * n_[0] + c[0];
-  }
-
-  Vec3 lower_;
-  double size_ = 0;
-  std::array<std::size_t, 3> n_{};
-  std::vector<std::size_t> start_;  ///< of each cell in body_
-  std::vector<std::uint32_t> body_;
-};
-
-double choose_skin(const Model& model) {
-  const Bodies& bodies = model.bodies;
-  if (lists_every_pair(model)) return std::numeric_limits<double>::infinity();
+double mean_radius(const Bodies& bodies) {
   const double sum = std::accumulate(bodies.radius.begin(), bodies.radius.end(), 0.0);
-  return skin_over_radius * sum / static_cast<double>(bodies.size());
+  return sum / static_cast<double>(bodies.size());
 }
 
-std::vector<Pair> near_pairs(const Model& model, const std::vector<Vec3>& position, double widest_gap) {
-  const Bodies& bodies = model.bodies;
-  const auto n = static_cast<std::uint32_t>(bodies.size());
-  const double largest = *std::ranges::max_element(bodies.radius);
-  const Grid grid(position, 2 * largest + widest_gap);
+double choose_skin(const Model& model) {
+  return lists_every_pair(model) ? std::numeric_limits<double>::infinity()
+                                 : skin_over_radius * mean_radius(model.bodies);
+}
+
+std::vector<Record> places_of(const Bodies& bodies, const std::vector<Vec3>& position,
+                              const std::vector<std::uint32_t>& order) {
+  std::vector<Record> places;
+  places.reserve(order.size());
+  for (const std::uint32_t i : order)
+    places.emplace_back(position[i].x(), position[i].y(), position[i].z(), bodies.radius[i]);
+  return places;
+}
+
+std::vector<std::uint32_t> scene_order(std::size_t n) {
+  std::vector<std::uint32_t> order(n);
+  std::iota(order.begin(), order.end(), 0u);
+  return order;
+}
+
+/// Sorts the bodies into slabs across the longest axis, no thinner than `reach` [m], and within a slab by
+/// cells of `width` [m].
+void sort_bodies(const Bodies& bodies, const std::vector<Vec3>& position, double reach, double width,
+                 Neighbours& found) {
+  const std::size_t n = position.size();
+  const std::vector<Record> places = places_of(bodies, position, scene_order(n));
+  const Cells cells(places, width);
+  const Cells::Index& along = cells.along();
+  const std::size_t slow = static_cast<std::size_t>(std::ranges::max_element(along) - along.begin());
+  const std::size_t middle = slow == 2 ? 1 : 2, fast = slow == 0 ? 1 : 0;
+  const auto thinnest = static_cast<std::size_t>(std::ceil(reach / cells.width()));
+  const std::size_t most_slabs = std::max<std::size_t>(1, n / slab_size);
+  const std::size_t layers = std::max(thinnest, (along[slow] + most_slabs - 1) / most_slabs);
+  std::vector<std::uint32_t> key;
+  key.reserve(n);
+  for (const Record& x : places) {
+    const Cells::Index c = cells.coordinates(x);
+    key.push_back(static_cast<std::uint32_t>((c[slow] * along[middle] + c[middle]) * along[fast] + c[fast]));
+  }
+  Sorted sorted(key, cells.size());
+  for (std::size_t layer = 0; layer < along[slow]; layer += layers)
+    found.slabs.push_back(sorted.start[layer * along[middle] * along[fast]]);
+  found.slabs.push_back(static_cast<std::uint32_t>(n));
+  found.order = std::move(sorted.entry);
+}
+
+/// Bodies by size: the largest ask for cells of `reach` [m], each level for half of the one before.
+std::vector<Level> make_levels(const std::vector<Record>& places, double reach, double widest) {
+  std::vector<std::vector<std::uint32_t>> members;
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    const auto level = static_cast<std::size_t>(std::log2(reach / (2 * places[i][3] + widest)));
+    if (level >= members.size()) members.resize(level + 1);
+    members[level].push_back(i);
+  }
+  std::vector<Level> levels;
+  for (std::size_t l = 0; l < members.size(); ++l) {
+    if (!members[l].empty()) levels.emplace_back(places, std::move(members[l]), std::ldexp(reach, -int(l)));
+  }
+  return levels;
+}
+
+/// Pairs of particles, the lower one first, that members of a level make with each other and with larger
+/// ones: each looks among its own level and the wider ones.
+struct Search {
+  const std::vector<Level>& levels;
+  const std::vector<Record>& places;
+  double widest;
+
+  /// Of the members `first` … `last` of a level.
+  void find(std::size_t level, std::size_t first, std::size_t last, std::vector<Pair>& pairs,
+            std::uint64_t& distances) const {
+    for (std::size_t k = first; k < last; ++k) {
+      const std::uint32_t i = levels[level].member(k);
+      const auto add = [&](std::uint32_t j) { pairs.push_back({std::min(i, j), std::max(i, j)}); };
+      for (std::size_t wider = 0; wider <= level; ++wider)
+        distances += levels[wider].near(places[i], widest, wider == level ? k + 1 : 0, add);
+    }
+  }
+};
+
+std::vector<Pair> near_pairs(const std::vector<Record>& places, const std::vector<Level>& levels,
+                             double widest, std::uint64_t& distances) {
+  struct Work {
+    std::size_t level, first, last;
+    std::vector<Pair> pairs{};
+    std::uint64_t distances = 0;
+  };
+  std::vector<Work> works;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    for (std::size_t first = 0; first < levels[l].size(); first += chunk)
+      works.push_back({l, first, std::min(first + chunk, levels[l].size())});
+  }
+  const Search look{levels, places, widest};
+  parallel_for(static_cast<int>(works.size()), [&](int w) {
+    Work& work = works[static_cast<std::size_t>(w)];
+    look.find(work.level, work.first, work.last, work.pairs, work.distances);
+  });
   std::vector<Pair> pairs;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const auto add_if_near = [&](std::uint32_t j) {
-      const Pair pair{i, j};
-      const bool moves = bodies.is_free(i) || bodies.is_free(j);
-      if (moves && separation(model, position, pair).gap <= widest_gap) pairs.push_back(pair);
-    };
-    const std::size_t first = pairs.size();
-    grid.around(position[i], [&](std::uint32_t j) {
-      if (j > i) add_if_near(j);
-    });
-    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end());
+  for (const Work& work : works) {
+    pairs.insert(pairs.end(), work.pairs.begin(), work.pairs.end());
+    distances += work.distances;
   }
   return pairs;
+}
+
+std::vector<Pair> every_pair(std::size_t n) {
+  std::vector<Pair> pairs;
+  for (std::uint32_t a = 0; a < n; ++a) {
+    for (std::uint32_t b = a + 1; b < n; ++b) pairs.push_back({a, b});
+  }
+  return pairs;
+}
+
+/// Lists pairs of particles by the lower one, without those of two bodies that are not free.
+void list_pairs(const Bodies& bodies, std::vector<Pair> pairs, Neighbours& found) {
+  std::erase_if(pairs, [&](const Pair& pair) {
+    return !bodies.is_free(found.order[pair.a]) && !bodies.is_free(found.order[pair.b]);
+  });
+  std::vector<std::uint32_t> lower;
+  lower.reserve(pairs.size());
+  for (const Pair& pair : pairs) lower.push_back(pair.a);
+  Sorted sorted(lower, found.size());
+  found.start = std::move(sorted.start);
+  for (std::uint32_t& p : sorted.entry) p = pairs[p].b;
+  found.other = std::move(sorted.entry);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    std::sort(found.other.begin() + found.start[i], found.other.begin() + found.start[i + 1]);
+  found.other.resize(found.other.size() + n_lanes, 0);
 }
 
 }  // namespace
@@ -110,11 +157,27 @@ bool lists_every_pair(const Model& model) {
   return model.bodies.size() <= few && model.walls.facets.size() <= few_facets;
 }
 
-void search(const Model& model, const std::vector<Vec3>& position, double reach, Neighbours& neighbours) {
-  neighbours.skin = choose_skin(model);
-  neighbours.reach = reach;
-  neighbours.replace(near_pairs(model, position, neighbours.widest_gap()));
-  neighbours.origin = position;
+Neighbours search(const Model& model, const std::vector<Vec3>& position, double reach) {
+  const Bodies& bodies = model.bodies;
+  const auto n = static_cast<std::uint32_t>(bodies.size());
+  Neighbours found;
+  found.skin = choose_skin(model);
+  found.reach = reach;
+  if (lists_every_pair(model)) {
+    found.order = scene_order(n);
+    found.slabs = {0, n};
+    found.origin = position;
+    list_pairs(bodies, every_pair(n), found);
+    return found;
+  }
+  const double widest = found.widest_gap();
+  const double farthest = 2 * *std::ranges::max_element(bodies.radius) + widest;
+  sort_bodies(bodies, position, farthest, 2 * mean_radius(bodies) + widest, found);
+  const std::vector<Record> places = places_of(bodies, position, found.order);
+  for (const std::uint32_t i : found.order) found.origin.push_back(position[i]);
+  const std::vector<Level> levels = make_levels(places, farthest, widest);
+  list_pairs(bodies, near_pairs(places, levels, widest, found.distances), found);
+  return found;
 }
 
 Near near(const Model& model, const std::vector<Vec3>& position, const Pair& pair) {

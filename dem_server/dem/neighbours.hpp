@@ -1,30 +1,43 @@
-/// Which bodies are near enough to touch: pairs within a skin, found on a grid, valid until a body has moved
-/// half the skin.
+/// Which bodies are near enough to touch: pairs within a skin, valid until a body has moved half the skin.
+/// Bodies are sorted by the cells that they are in, and every pair is listed once, by its lower body.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "dem/contact_list.hpp"
 #include "dem/model.hpp"
 
 namespace fpi::dem {
 
-/// Two bodies a < b.
+/// Two bodies a < b of the scene.
 struct Pair {
   std::uint32_t a = 0, b = 0;
   auto operator<=>(const Pair&) const = default;
 };
 
-struct Neighbours : ContactList<Pair> {
-  std::vector<Vec3> origin;  ///< [m] where the bodies were at the search; empty: a search is due
-  double skin = 0;           ///< [m]; infinite where every pair is listed
-  double reach = 0;          ///< [m] gap at which pairs begin to act on each other
+/// What a search found; it does not change until the next. Its particles are the bodies in their new order.
+struct Neighbours {
+  std::vector<std::uint32_t> order;  ///< body of each particle
+  std::vector<std::uint32_t> start;  ///< of each particle's pairs in `other`, and their end
+  std::vector<std::uint32_t> other;  ///< higher particle of each pair; padded by the lanes
+  std::vector<std::uint32_t> slabs;  ///< first particle of each slab, and the end: no pair reaches beyond the
+                                     ///< next slab
+  std::vector<Vec3> origin;          ///< [m] where each particle was
+  double skin = 0;                   ///< [m]; infinite where every pair is listed
+  double reach = 0;                  ///< [m] gap at which pairs begin to act on each other
+  std::uint64_t distances = 0;       ///< that were looked at
+
   double widest_gap() const { return reach + skin; }
+  std::size_t size() const { return order.size(); }
+  std::size_t n_pairs() const { return start.back(); }
 };
 
-/// Lists every pair with a free body whose gap is at most the skin beyond the reach; memories stay with their
-/// pairs.
-void search(const Model& model, const std::vector<Vec3>& position, double reach, Neighbours& neighbours);
+/// Lists every pair with a free body whose gap is at most the skin beyond the reach [m].
+Neighbours search(const Model& model, const std::vector<Vec3>& position, double reach);
 
 /// True where there are so few bodies and facets of walls that every pair is listed once and for all.
 bool lists_every_pair(const Model& model);
@@ -60,6 +73,17 @@ struct Near {
   bool wall() const { return b == no_body; }
 };
 Near near(const Model& model, const std::vector<Vec3>& position, const Pair& pair);
+
+/// Calls visit(pair) for every pair of a list.
+template <class Visit>
+void each_pair(const Neighbours& neighbours, Visit visit) {
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    for (std::uint32_t p = neighbours.start[i]; p < neighbours.start[i + 1]; ++p) {
+      const std::uint32_t a = neighbours.order[i], b = neighbours.order[neighbours.other[p]];
+      visit(Pair{std::min(a, b), std::max(a, b)});
+    }
+  }
+}
 
 /// "a and b" for messages.
 std::string names(const Model& model, const Pair& pair);

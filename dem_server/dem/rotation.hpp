@@ -11,15 +11,16 @@ namespace fpi::dem {
 using Vec3 = Eigen::Vector3d;
 using Quaternion = Eigen::Quaterniond;
 
+/// tan(x)/x by its series, exact to 1e-17 below x² = 1e-4.
+template <class Real>
+Real rescaling_of_small(Real x_squared) {
+  return 1 + x_squared * (1.0 / 3 + x_squared * (2.0 / 15 + x_squared * (17.0 / 315)));
+}
+
 /// α of the rotation vector θ.
 inline Vec3 rescaled(const Vec3& theta) {
   const double half_squared = 0.25 * theta.squaredNorm();
-  // Below (θ/2)² = 1e-4 the series of tan(x)/x is exact to 1e-17.
-  if (half_squared < 1e-4) {
-    const double series =
-        1 + half_squared * (1.0 / 3 + half_squared * (2.0 / 15 + half_squared * (17.0 / 315)));
-    return series * theta;
-  }
+  if (half_squared < 1e-4) return rescaling_of_small(half_squared) * theta;
   const double half = std::sqrt(half_squared);
   return std::tan(half) / half * theta;
 }

@@ -30,7 +30,7 @@ struct Prescribed {
 class Solver {
  public:
   /// Throws Error for a set-up that cannot be run, among it free bodies that overlap at the start by more
-  /// than 1 % of a radius.
+  /// than 5 % of a radius.
   explicit Solver(const Problem& problem);
 
   /// Throws Error for a step that is not > 0 s, a body that does not exist, or numbers that are not finite. A

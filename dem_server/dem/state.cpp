@@ -73,21 +73,22 @@ void check_plane(const Model& model, const Motions& motions) {
 }  // namespace
 
 void find_neighbours(const Model& model, double reach, State& state) {
-  search(model, state.motions.position, reach, state.neighbours);
-  search_walls(model, state.motions.position, state.neighbours.widest_gap(), state.wall_contacts);
+  state.neighbours = std::make_shared<const Neighbours>(search(model, state.motions.position, reach));
+  search_walls(model, state.motions.position, state.neighbours->widest_gap(), state.wall_contacts);
 }
 
 void forget_search(State& state) {
-  state.neighbours.keep_remembered();
+  state.contacts.sort();
+  state.contacts.keep_remembered();
   state.wall_contacts.keep_remembered();
-  state.neighbours.origin.clear();
+  state.neighbours.reset();
 }
 
 std::vector<std::uint8_t> to_bytes(const State& state) {
   Writer write;
   const Motions& motions = state.motions;
   const std::size_t n = motions.position.size();
-  const std::size_t n_pairs = state.neighbours.places.size(), n_touched = state.wall_contacts.places.size();
+  const std::size_t n_pairs = state.contacts.places.size(), n_touched = state.wall_contacts.places.size();
   const std::size_t n_walls = state.wall_contacts.motions.size();
   write.bytes.reserve(5 * sizeof(std::uint64_t) + n * body_size + n_walls * wall_size +
                       (n_pairs + n_touched) * contact_size);
@@ -107,7 +108,7 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
     write.put(wall.orientation);
     write.put(wall.spin);
   }
-  write.put(state.neighbours);
+  write.put(state.contacts);
   write.put(state.wall_contacts);
   return std::move(write.bytes);
 }
@@ -139,9 +140,9 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
     wall.orientation = read.quaternion();
     wall.spin = read.vector();
   }
-  read.contacts(n_pairs, n, n, state.neighbours);
+  read.contacts(n_pairs, n, n, state.contacts);
   read.contacts(n_touched, n, model.walls.facets.size(), state.wall_contacts);
-  for (const Pair& pair : state.neighbours.places)
+  for (const Pair& pair : state.contacts.places)
     require(pair.a < pair.b, "the DEM's state has a pair {} and {} that is out of order", pair.a, pair.b);
   if (model.plane) check_plane(model, state.motions);
   return state;

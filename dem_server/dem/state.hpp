@@ -12,8 +12,9 @@ namespace fpi::dem {
 
 struct State {
   Motions motions;
-  Neighbours neighbours;
+  ContactList<Pair> contacts;  ///< of the bodies that touch each other
   WallContacts wall_contacts;
+  std::shared_ptr<const Neighbours> neighbours;  ///< none: a search is due
 };
 
 /// Lists what may touch, bodies and walls, where the bodies are now; `reach` [m] as of search.
@@ -26,7 +27,7 @@ void forget_search(State& state);
 template <class Visit>
 void each_near(const Model& model, const State& state, Visit visit) {
   const auto& position = state.motions.position;
-  for (const Pair& pair : state.neighbours.places) visit(near(model, position, pair));
+  each_pair(*state.neighbours, [&](const Pair& pair) { visit(near(model, position, pair)); });
   for (const WallPlace& place : state.wall_contacts.places)
     visit(near(model, position, state.wall_contacts.motions, place));
 }
@@ -36,7 +37,7 @@ void each_near(const Model& model, const State& state, Visit visit) {
 template <class Visit>
 void each_acting(const Model& model, const State& state, double reach, Visit visit) {
   const auto& position = state.motions.position;
-  for (const Pair& pair : state.neighbours.places) visit(near(model, position, pair));
+  each_pair(*state.neighbours, [&](const Pair& pair) { visit(near(model, position, pair)); });
   each_own_place(model, position, state.wall_contacts, reach, visit);
 }
 

@@ -10,13 +10,10 @@
 namespace fpi::dem {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
-
-/// How fast a gap may close, and how fast that may grow.
-struct Approach {
-  double speed;         ///< [m/s]
-  double acceleration;  ///< [m/s²]
-};
+/// Sub-steps in the contact time of two surfaces: damping above ζ = 1 is stiffer than the spring.
+double steps_per_contact(const Model& model, const PairLaw& law) {
+  return model.steps_per_contact * std::max(1.0, law.damping_ratio);
+}
 
 /// Along the normal while that bounds the gap; else, at a round wall or one that turns, as if all motion in
 /// the frame of the wall went into it.
@@ -25,21 +22,12 @@ Approach approach(const Near& near, const Vec3& velocity, const Vec3& accelerati
   return {velocity.norm(), acceleration.norm() + near.frame.acceleration};
 }
 
-/// v_a − v_b, or v_a in the frame of the wall [m/s].
-Vec3 relative(const std::vector<Vec3>& v, const Near& near) {
-  return v[near.a] - (near.wall() ? near.frame.velocity : v[near.b]);
-}
-
-/// Sub-step of two surfaces that meet with `speed` [m/s]; damping above ζ = 1 is stiffer than the spring.
-double contact_step(const Model& model, const PairLaw& law, Normal state, double speed) {
-  state.rate = speed;
-  const double t_c = contact_time(model.elasticity, law, state);
-  return t_c / (model.steps_per_contact * std::max(1.0, law.damping_ratio));
-}
-
-/// Sub-step that resolves the steepest attraction of two surfaces.
-double attraction_step(const Model& model, const Near& near, double mass) {
-  return std::numbers::pi * std::sqrt(mass / attraction_stiffness(model, near)) / model.steps_per_contact;
+/// Where an attraction begins, and the sub-step that resolves the steepest of it.
+Pull pull_of(const Model& model, const Near& near, double mass) {
+  const double reach = attraction_reach(model, near);
+  if (reach <= 0) return {};
+  const double stiffness = attraction_stiffness(model, near);
+  return {reach, std::numbers::pi * std::sqrt(mass / stiffness) / model.steps_per_contact};
 }
 
 }  // namespace
@@ -58,37 +46,78 @@ double time_to_close(double gap, double closing, double acceleration) {
   return acceleration > 0 ? (std::sqrt(discriminant) - closing) / acceleration : never;
 }
 
-Outlook look_ahead(const Model& model, const State& state, const Forces& loads, double horizon) {
-  Outlook outlook{never, never};
-  const auto& velocity = state.motions.velocity;
-  each_near(model, state, [&](const Near& near) {
-    const Normal normal = normal_state(model, near, velocity);
-    const Vec3 acceleration = relative_acceleration(model, loads, near);
-    const Vec3 meets_with = relative(velocity, near);
-    const Approach closing = approach(near, meets_with, acceleration);
-    const double reach = std::max(attraction_reach(model, near), 0.0);
-    const double meeting = time_to_close(near.at.gap - reach, closing.speed, closing.acceleration);
-    if (std::isinf(meeting)) return;
-    const double speed = meets_with.norm() + acceleration.norm() * horizon;
-    double step = contact_step(model, near.law, normal, speed);
-    if (reach > 0) step = std::min(step, attraction_step(model, near, normal.mass));
-    if (meeting >= horizon + step) return;
-    outlook.free_time = std::min(outlook.free_time, meeting);
-    outlook.contact_step = std::min(outlook.contact_step, step);
-  });
-  return outlook;
+void Outlook::consider(const Model& model, const PairLaw& law, const Normal& normal, const Approach& closing,
+                       double speed, const Pull& pull) {
+  const double meeting = time_to_close(-normal.overlap - pull.reach, closing.speed, closing.acceleration);
+  if (std::isinf(meeting)) return;
+  const double steps = steps_per_contact(model, law);
+  Normal met = normal;
+  met.rate = speed;
+  if (meeting < horizon && pull.step >= contact_step &&
+      lasts_longer(model.elasticity, law, met, steps * contact_step)) {
+    free_time = std::min(free_time, meeting);
+    return;
+  }
+  const double step = std::min(contact_time(model.elasticity, law, met) / steps, pull.step);
+  if (meeting >= horizon + step) return;
+  free_time = std::min(free_time, meeting);
+  contact_step = std::min(contact_step, step);
 }
 
-double time_within_skin(const Model& model, const State& state, const Forces& loads) {
-  const auto& [motions, neighbours, walls] = state;
+void look_ahead_pairs(const Model& model, const Neighbours& neighbours, const Particles& particles,
+                      const std::vector<Vec3>& position, Outlook& outlook) {
+  const bool attracts = widest_attraction(model) > 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    for (std::uint32_t p = neighbours.start[i]; p < neighbours.start[i + 1]; ++p) {
+      const std::size_t j = neighbours.other[p];
+      const Record &place_i = particles.place[i], &place_j = particles.place[j];
+      const Vec3 line = (place_j - place_i).head<3>();
+      const Vec3 velocity = (particles.half[i].linear - particles.half[j].linear).head<3>();
+      const Vec3 acceleration = (particles.acceleration(i) - particles.acceleration(j)).head<3>();
+      const double distance = line.norm(), Ri = place_i[3], Rj = place_j[3];
+      const Approach closing{velocity.dot(line) / distance, acceleration.dot(line) / distance};
+      const Normal normal{1 / (particles.half[i].linear[3] + particles.half[j].linear[3]),
+                          Ri * Rj / (Ri + Rj), Ri + Rj - distance, closing.speed};
+      const Pair pair{particles.body[i], particles.body[j]};
+      outlook.consider(model, model.laws(particles.material[i], particles.material[j]), normal, closing,
+                       velocity.norm() + acceleration.norm() * outlook.horizon,
+                       attracts ? pull_of(model, near(model, position, pair), normal.mass) : Pull{});
+    }
+  }
+}
+
+void look_ahead_walls(const Model& model, const State& state, const Forces& loads, Outlook& outlook) {
+  const auto& [motions, contacts, wall_contacts, neighbours] = state;
+  for (const WallPlace& place : wall_contacts.places) {
+    const Near here = near(model, motions.position, wall_contacts.motions, place);
+    const Vec3 velocity = motions.velocity[here.a] - here.frame.velocity;
+    const Vec3 acceleration = relative_acceleration(model, loads, here);
+    const Normal normal = normal_state(model, here, motions.velocity);
+    outlook.consider(model, here.law, normal, approach(here, velocity, acceleration),
+                     velocity.norm() + acceleration.norm() * outlook.horizon,
+                     pull_of(model, here, normal.mass));
+  }
+}
+
+double time_within_skin(const Neighbours& neighbours, const WallContacts& walls, const Particles& particles) {
   if (std::isinf(neighbours.skin)) return never;
   double time = walls.speed > 0 ? std::max(0.0, 0.5 * neighbours.skin - walls.moved) / walls.speed : never;
-  for (std::size_t i = 0; i < motions.position.size(); ++i) {
-    const double left = 0.5 * neighbours.skin - (motions.position[i] - neighbours.origin[i]).norm();
-    const double acceleration = model.bodies.inverse_mass[i] * loads.force[i].norm();
-    time = std::min(time, time_to_close(left, motions.velocity[i].norm(), acceleration));
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double left = 0.5 * neighbours.skin - (particles.place[i].head<3>() - neighbours.origin[i]).norm();
+    time = std::min(time, time_to_close(left, particles.half[i].linear.head<3>().norm(),
+                                        particles.acceleration(i).norm()));
   }
   return time;
+}
+
+double farthest_moved(const Neighbours& neighbours, const Particles& particles) {
+  double farthest_squared = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double moved = (particles.place[i].head<3>() - neighbours.origin[i]).squaredNorm();
+    // Written so that a position that is not a number counts as moved.
+    if (!(moved <= farthest_squared)) farthest_squared = moved;
+  }
+  return std::sqrt(farthest_squared);
 }
 
 }  // namespace fpi::dem

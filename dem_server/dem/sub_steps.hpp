@@ -2,22 +2,47 @@
 /// sub-steps out of the Hertz contact time of the stiffest pair that can touch.
 #pragma once
 
-#include "dem/contact.hpp"
+#include "dem/particles.hpp"
 #include "dem/state.hpp"
 
 namespace fpi::dem {
 
-struct Outlook {
-  double
-      free_time;  ///< [s] before which nothing touches; infinite where nothing does in the step or just after
-  double contact_step;  ///< [s] t_c/steps_per_contact of the stiffest pair that can touch; else infinite
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// How fast a gap may close, and how fast that may grow.
+struct Approach {
+  double speed;         ///< [m/s]
+  double acceleration;  ///< [m/s²]
 };
 
-/// Looks ahead by `horizon` [s] from the current motions under the constant `loads`.
-Outlook look_ahead(const Model& model, const State& state, const Forces& loads, double horizon);
+/// What acts through a gap.
+struct Pull {
+  double reach = 0;     ///< [m] gap at which it begins
+  double step = never;  ///< [s] that resolves it
+};
 
-/// Time [s] for which no body moves farther than half the skin from where the last search found it.
-double time_within_skin(const Model& model, const State& state, const Forces& loads);
+struct Outlook {
+  double horizon;               ///< [s] how far ahead it looks
+  double free_time = never;     ///< [s] before which nothing touches, nor anything in the step or just after
+  double contact_step = never;  ///< [s] t_c/steps_per_contact of the stiffest pair that can touch
+
+  /// Two surfaces that meet with at most `speed` [m/s].
+  void consider(const Model& model, const PairLaw& law, const Normal& normal, const Approach& closing,
+                double speed, const Pull& pull);
+};
+
+/// Looks ahead at the pairs from the velocities of `half`, under their constant loads; `position` in the
+/// scene's order is for attractions only.
+void look_ahead_pairs(const Model& model, const Neighbours& neighbours, const Particles& particles,
+                      const std::vector<Vec3>& position, Outlook& outlook);
+/// Looks ahead at the walls from the current motions under the constant `loads`.
+void look_ahead_walls(const Model& model, const State& state, const Forces& loads, Outlook& outlook);
+
+/// Time [s] for which no body or wall moves farther than half the skin from where the last search found it.
+double time_within_skin(const Neighbours& neighbours, const WallContacts& walls, const Particles& particles);
+
+/// How far [m] a body has moved since the last search, at most.
+double farthest_moved(const Neighbours& neighbours, const Particles& particles);
 
 /// Of a against b, or against a wall, that constant loads make [m/s²].
 Vec3 relative_acceleration(const Model& model, const Forces& loads, const Near& near);

@@ -1,0 +1,54 @@
+#include "dem/pair_memories.hpp"
+
+#include <algorithm>
+
+namespace fpi::dem {
+namespace {
+
+/// Springs hold what the lower particle did over the higher one; in the scene a < b may be the other way
+/// round. A twist is the same seen from either.
+Record join(const Vec3& stretch, double twist, bool swapped) {
+  const double sign = swapped ? -1 : 1;
+  return {sign * stretch.x(), sign * stretch.y(), sign * stretch.z(), twist};
+}
+
+}  // namespace
+
+PairMemories::PairMemories(const ContactList<Pair>& contacts, const Neighbours& neighbours, bool turning)
+    : slip(neighbours.n_pairs()),
+      roll(turning ? neighbours.n_pairs() : 0),
+      touching(neighbours.n_pairs() + n_lanes, 0) {
+  std::vector<std::uint32_t> particle(neighbours.size());
+  for (std::uint32_t k = 0; k < particle.size(); ++k) particle[neighbours.order[k]] = k;
+  for (std::size_t c = 0; c < contacts.places.size(); ++c) {
+    const auto [a, b] = contacts.places[c];
+    const auto [lower, higher] = std::minmax(particle[a], particle[b]);
+    const auto first = neighbours.other.begin() + neighbours.start[lower];
+    const auto last = neighbours.other.begin() + neighbours.start[lower + 1];
+    const auto found = std::lower_bound(first, last, higher);
+    if (found == last || *found != higher) continue;
+    const auto p = static_cast<std::size_t>(found - neighbours.other.begin());
+    const Memory& memory = contacts.memories[c];
+    const bool swapped = lower != particle[a];
+    touching[p] = 1;
+    slip[p] = join(memory.slip, memory.twist, swapped);
+    if (turning) roll[p] = join(memory.roll, 0, swapped);
+  }
+}
+
+ContactList<Pair> PairMemories::collect(const Neighbours& neighbours) const {
+  ContactList<Pair> contacts;
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    for (std::uint32_t p = neighbours.start[i]; p < neighbours.start[i + 1]; ++p) {
+      if (!touching[p]) continue;
+      const std::uint32_t low = neighbours.order[i], high = neighbours.order[neighbours.other[p]];
+      const double sign = low < high ? 1 : -1;
+      contacts.places.push_back({std::min(low, high), std::max(low, high)});
+      contacts.memories.push_back({.slip = sign * slip[p].head<3>(), .twist = slip[p][3]});
+      if (!roll.empty()) contacts.memories.back().roll = sign * roll[p].head<3>();
+    }
+  }
+  return contacts;
+}
+
+}  // namespace fpi::dem
