@@ -67,14 +67,17 @@ class View:
 
 
 def snapshots(bodies: results.Bodies, scene: results.Scene):
-    """Up to four times, stacked where grains spread out, else side by side."""
+    """Up to four times: stacked where grains spread out, side by side where they stand tall, else two by two."""
     view = View(bodies, scene)
     chosen = np.unique(np.linspace(0, len(bodies.time) - 1, MOST_SNAPSHOTS).round().astype(int))
-    wide = view.size[0] > view.size[1]
-    width, height = view.size * (8.0 if wide else 6.5) / max(view.size)
-    rows, columns = (len(chosen), 1) if wide else (1, len(chosen))
+    aspect = view.size[0] / view.size[1]
+    columns = min(len(chosen), 1 if aspect > 2.5 else len(chosen) if aspect < 0.5 else 2)
+    rows = -(-len(chosen) // columns)
+    width, height = view.size * (8.0 if columns == 1 else 5.5) / max(view.size)
     figure, axes = plt.subplots(rows, columns, figsize=(columns * (width + 0.9) + 0.8, rows * (height + 0.8)),
                                 squeeze=False, sharex=True, sharey=True)
+    for axis in axes.flat[len(chosen):]:
+        axis.remove()
     for axis, index in zip(axes.flat, chosen):
         grains = view.draw(axis, index)
         axis.label_outer()
