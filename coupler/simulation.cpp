@@ -70,6 +70,12 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
     accepted_.motions.push_back(motion);
   }
   accepted_.loads.resize(scene.bodies.size());
+  for (std::uint32_t i = 0; i < scene.walls.size(); ++i) {
+    if (!scene.walls[i].moves()) continue;
+    moving_walls_.push_back({i, coupling::PrescribedMotion(scene.walls[i])});
+    const coupling::RigidMotion start{.position = coupling::to_eigen(scene::to_vec3(scene.walls[i].centre))};
+    accepted_.walls.push_back(moving_walls_.back().motion.with_velocities(start, 0));
+  }
 }
 
 void Simulation::configure(const Files& files, const StatesByRole& states) {
@@ -131,7 +137,10 @@ void Simulation::place_bodies(double start, double end, double time_step) {
   end_ = end;
   time_step_ = time_step;
   placed_ = accepted_.motions;
-  attempted_ = {.motions = accepted_.motions, .loads = accepted_.loads, .arcs = {}, .tractions = {}};
+  attempted_ = {
+      .motions = accepted_.motions, .walls = {}, .loads = accepted_.loads, .arcs = {}, .tractions = {}};
+  for (std::size_t i = 0; i < moving_walls_.size(); ++i)
+    attempted_.walls.push_back(moving_walls_[i].motion.advanced(accepted_.walls[i], start, end));
   dofs_.set_velocities(predictor_.guess(dofs_.velocities(accepted_.motions), time_step), placed_);
   for (std::size_t i = 0; i < placed_.size(); ++i) {
     const coupling::RigidMotion& before = accepted_.motions[i];
@@ -193,7 +202,9 @@ void Simulation::take_tractions(std::vector<proto::Traction> tractions) {
 /// "" or why the DEM did not converge.
 std::string Simulation::advance_dem(const proto::Stamp& stamp) {
   proto::DemAdvance message{
-      .time = end_, .time_step = time_step_, .loads = {}, .prescribed = {}, .resolved_gaps = {}};
+      .time = end_, .time_step = time_step_, .loads = {}, .prescribed = {}, .resolved_gaps = {}, .walls = {}};
+  for (std::size_t i = 0; i < moving_walls_.size(); ++i)
+    message.walls.push_back(to_wire(moving_walls_[i].index, attempted_.walls[i]));
   for (std::uint32_t i = 0; i < placed_.size(); ++i) {
     if (prescribed_[i]) {
       message.prescribed.push_back(to_wire(i, placed_[i]));
@@ -263,6 +274,10 @@ NumbersByName Simulation::numbers() const {
     put("velocity", motion.velocity);
     put("spin", motion.spin);
   }
+  for (const coupling::RigidMotion& wall : accepted_.walls) {
+    put("wall_position", wall.position);
+    put("wall_orientation", wall.orientation.coeffs());
+  }
   for (const coupling::RigidLoad& load : accepted_.loads) {
     put("force", load.force);
     put("torque", load.torque);
@@ -285,6 +300,10 @@ void Simulation::set_numbers(const NumbersByName& numbers) {
                             .velocity = triple("velocity", i),
                             .spin = triple("spin", i)};
     accepted_.loads[i] = {.force = triple("force", i), .torque = triple("torque", i)};
+  }
+  for (std::size_t i = 0; i < accepted_.walls.size(); ++i) {
+    accepted_.walls[i].position = triple("wall_position", i);
+    accepted_.walls[i].orientation = Eigen::Quaterniond(&numbers.at("wall_orientation").at(4 * i));
   }
 }
 

@@ -38,6 +38,7 @@ using StatesByRole = std::map<std::string, proto::Bytes>;
 /// arcs.
 struct CoupledState {
   std::vector<coupling::RigidMotion> motions;
+  std::vector<coupling::RigidMotion> walls;  ///< of those that move, about their centres
   std::vector<coupling::RigidLoad> loads;
   std::vector<coupling::Arcs> arcs;
   std::vector<proto::Traction> tractions;
@@ -85,6 +86,11 @@ class Simulation {
   void take_arc_lengths(const std::vector<proto::ArcLength>& lengths);
   void warn_where_coarse(std::size_t body);
 
+  struct MovingWall {
+    std::uint32_t index;  ///< in the scene
+    coupling::PrescribedMotion motion;
+  };
+
   const scene::Scene& scene_;
   Participants participants_;
   std::uint64_t run_;
@@ -92,9 +98,10 @@ class Simulation {
   coupling::Predictor predictor_;
   coupling::StaggeredIteration iteration_;
   std::vector<std::optional<coupling::PrescribedMotion>> prescribed_;  ///< of bodies that are not free
-  std::vector<double> arc_lengths_;                                    ///< [m] wanted, one a body
-  std::vector<bool> told_of_coarse_mesh_;                              ///< one a body
-  double resolved_gap_ratio_ = 1;  ///< narrowest gap that the fluid resolves, of the arc length
+  std::vector<MovingWall> moving_walls_;
+  std::vector<double> arc_lengths_;        ///< [m] wanted, one a body
+  std::vector<bool> told_of_coarse_mesh_;  ///< one a body
+  double resolved_gap_ratio_ = 1;          ///< narrowest gap that the fluid resolves, of the arc length
 
   std::uint64_t steps_ = 0;
   CoupledState accepted_, attempted_;

@@ -76,8 +76,9 @@ proto::Configured DemService::configure(const proto::Configure& message) {
 proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdvance& message) {
   const ScopedTimer timer(ledger_, "dem");
   progress.set("contacts");
-  const Advanced outcome = solver().advance(message.time_step, read_loads(message.loads),
-                                            read_prescribed(message.prescribed), message.resolved_gaps);
+  const Advanced outcome =
+      solver().advance(message.time_step, read_loads(message.loads), read_prescribed(message.prescribed),
+                       message.resolved_gaps, read_prescribed(message.walls));
   ledger_.counts["sub_steps"] += static_cast<double>(outcome.sub_steps);
   ledger_.counts["neighbour_searches"] += static_cast<double>(outcome.searches);
   return {.converged = outcome.converged,

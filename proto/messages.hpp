@@ -136,6 +136,7 @@ struct DemAdvance {
   std::vector<Motion> prescribed{};  ///< at the end of the step, for every body that is not free
   std::vector<double>
       resolved_gaps{};  ///< [m] of every body: narrower gaps the fluid does not resolve; empty: no fluid
+  std::vector<Motion> walls{};  ///< at the end of the step, for every wall that moves; `body` is its index
 };
 struct DemAdvanced {
   bool converged = false;

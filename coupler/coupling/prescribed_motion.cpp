@@ -18,36 +18,48 @@ constexpr std::array<QuadraturePoint, 5> quadrature{{{0.04691007703066800, 0.118
 }  // namespace
 
 PrescribedMotion::PrescribedMotion(const scene::Body& body) {
-  if (body.motion != "prescribed") return;
-  for (std::size_t i = 0; i < 3; ++i)
-    formulas_.emplace_back(i < body.prescribed_velocity.size() ? body.prescribed_velocity[i] : "0");
-  formulas_.emplace_back(body.prescribed_spin);
+  if (body.motion == "prescribed") move_by(body.prescribed_velocity, {"0", "0", body.prescribed_spin});
+}
+
+PrescribedMotion::PrescribedMotion(const scene::Wall& wall) {
+  move_by(wall.velocity,
+          wall.spin.size() == 1 ? std::vector<std::string>{"0", "0", wall.spin[0]} : wall.spin);
+}
+
+void PrescribedMotion::move_by(const std::vector<std::string>& velocity,
+                               const std::vector<std::string>& spin) {
+  for (const auto* along : {&velocity, &spin})
+    for (std::size_t i = 0; i < 3; ++i) formulas_.emplace_back(i < along->size() ? (*along)[i] : "0");
 }
 
 Eigen::Vector3d PrescribedMotion::velocity(double t) const {
   return {formulas_[0](0, 0, t), formulas_[1](0, 0, t), formulas_[2](0, 0, t)};
 }
 
-double PrescribedMotion::spin(double t) const { return formulas_[3](0, 0, t); }
+Eigen::Vector3d PrescribedMotion::spin(double t) const {
+  return {formulas_[3](0, 0, t), formulas_[4](0, 0, t), formulas_[5](0, 0, t)};
+}
 
 RigidMotion PrescribedMotion::with_velocities(RigidMotion motion, double t) const {
   const bool held = formulas_.empty();
   motion.velocity = held ? Eigen::Vector3d::Zero() : velocity(t);
-  motion.spin = {0, 0, held ? 0 : spin(t)};
+  motion.spin = held ? Eigen::Vector3d::Zero() : spin(t);
   return motion;
 }
 
 RigidMotion PrescribedMotion::advanced(const RigidMotion& motion, double t0, double t1) const {
   RigidMotion moved = with_velocities(motion, t1);
   if (formulas_.empty()) return moved;
-  double angle = 0;
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
   for (const QuadraturePoint& q : quadrature) {
     const double t = t0 + q.place * (t1 - t0), weight = q.weight * (t1 - t0);
     moved.position += weight * velocity(t);
-    angle += weight * spin(t);
+    turn += weight * spin(t);
   }
-  const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
-  moved.orientation = (turn * motion.orientation).normalized();
+  const double angle = turn.norm();
+  if (angle == 0) return moved;
+  const Eigen::Quaterniond turned(Eigen::AngleAxisd(angle, turn / angle));
+  moved.orientation = (turned * motion.orientation).normalized();
   return moved;
 }
 

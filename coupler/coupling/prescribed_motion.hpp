@@ -1,10 +1,12 @@
-/// The motion of a body that does not react: by formulas of t, or held.
+/// The motion of a body that does not react, or of a wall: by formulas of t, or held.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/expression.hpp"
 #include "coupling/rigid_motion.hpp"
+#include "scene/walls.hpp"
 
 namespace fpi::coupling {
 
@@ -12,19 +14,22 @@ class PrescribedMotion {
  public:
   /// Of a body with motion = "prescribed" or "fixed".
   explicit PrescribedMotion(const scene::Body& body);
+  explicit PrescribedMotion(const scene::Wall& wall);
 
   /// `motion` with the velocities of time t [s]; the position stays.
   RigidMotion with_velocities(RigidMotion motion, double t) const;
 
-  /// The motion at t1, from that at t0. Positions and angle come from Gauss–Legendre quadrature of order 10
-  /// on the step: round-off for formulas that change little in a step.
+  /// The motion at t1, from that at t0. Positions and turn come from Gauss–Legendre quadrature of order 10
+  /// on the step: round-off for formulas that change little in a step, and of the turn where its axis stays.
   RigidMotion advanced(const RigidMotion& motion, double t0, double t1) const;
 
  private:
+  /// Takes up velocities along the axes and spins about them; those left out are zero.
+  void move_by(const std::vector<std::string>& velocity, const std::vector<std::string>& spin);
   Eigen::Vector3d velocity(double t) const;
-  double spin(double t) const;
+  Eigen::Vector3d spin(double t) const;
 
-  /// Velocities along the axes, then spin; none of a body that is held, as there may be many.
+  /// Velocities along the axes, then spins; none of a body that is held, as there may be many.
   std::vector<Expression> formulas_;
 };
 

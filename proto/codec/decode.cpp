@@ -118,8 +118,12 @@ FluidAdvanced unpack(Reader& r, const wire::FluidAdvanced* w) {
           w->residual(),  w->time_error(),     w->time_error_order()};
 }
 DemAdvance unpack(Reader& r, const wire::DemAdvance* w) {
-  return {w->time(), w->time_step(), r.list(w->loads()), r.list(w->prescribed()),
-          r.numbers(w->resolved_gaps())};
+  return {w->time(),
+          w->time_step(),
+          r.list(w->loads()),
+          r.list(w->prescribed()),
+          r.numbers(w->resolved_gaps()),
+          r.list(w->walls())};
 }
 DemAdvanced unpack(Reader& r, const wire::DemAdvanced* w) {
   return {w->converged(), r.text(w->reason()), r.list(w->motions()),

@@ -97,7 +97,7 @@ auto pack(Builder& b, const FluidAdvanced& m) {
 }
 auto pack(Builder& b, const DemAdvance& m) {
   return wire::CreateDemAdvance(b, m.time, m.time_step, list(b, m.loads), list(b, m.prescribed),
-                                numbers(b, m.resolved_gaps));
+                                numbers(b, m.resolved_gaps), list(b, m.walls));
 }
 auto pack(Builder& b, const DemAdvanced& m) {
   return wire::CreateDemAdvanced(b, m.converged, text(b, m.reason), list(b, m.motions), m.sub_steps,

@@ -116,6 +116,7 @@ inline constexpr auto members_of<DemAdvance> = std::tuple{
     member("loads", &DemAdvance::loads),
     member("prescribed", &DemAdvance::prescribed),
     member("resolved_gaps", &DemAdvance::resolved_gaps),
+    member("walls", &DemAdvance::walls),
 };
 template <>
 inline constexpr auto members_of<DemAdvanced> = std::tuple{

@@ -157,6 +157,20 @@ TEST(PrescribedMotion, positions_are_the_integral_of_the_formulas) {
       1e-7);
 }
 
+TEST(PrescribedMotion, a_wall_turns_about_its_axis_in_space_by_the_integral_of_its_spin) {
+  scene::Wall wall;
+  wall.centre = {1, 2, 3};
+  wall.velocity = {"0", "0", "2*t"};
+  wall.spin = {"0", "t", "0"};
+  const PrescribedMotion motion(wall);
+  RigidMotion now{.position = {1, 2, 3}};
+  for (int k = 0; k < 20; ++k) now = motion.advanced(now, 0.1 * k, 0.1 * (k + 1));
+  EXPECT_NEAR((now.position - Eigen::Vector3d(1, 2, 7)).norm(), 0, 1e-13);
+  EXPECT_NEAR(
+      now.orientation.angularDistance(Eigen::Quaterniond(Eigen::AngleAxisd(2, Eigen::Vector3d::UnitY()))), 0,
+      1e-7);
+}
+
 TEST(PrescribedMotion, a_step_of_no_size_only_takes_the_velocities) {
   scene::Body body = disc("prescribed");
   body.prescribed_velocity = {"0", "0"};

@@ -1,8 +1,7 @@
 /// Polygons in a scene: what they enclose, and what is refused.
-#include "core/polygon.hpp"
-
 #include <gtest/gtest.h>
 
+#include "core/polygon.hpp"
 #include "scenes.hpp"
 
 namespace fpi::scene {
