@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "grains/expand.hpp"
 #include "scene/scene.hpp"
+#include "stl.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -12,14 +13,19 @@ namespace {
 Vec3 to_eigen(const proto::Vec3& v) { return {v[0], v[1], v[2]}; }
 proto::Vec3 to_wire(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-Problem make_problem(const scene::Scene& scene) {
+Problem make_problem(const scene::Scene& scene, const std::vector<proto::File>& files) {
+  std::map<std::string, std::vector<Corners>> meshes;
+  for (const scene::Wall& wall : scene.walls) {
+    if (wall.shape == "mesh") meshes[wall.file] = read_stl(proto::content(files, wall.file), wall.file);
+  }
   return {.gravity = to_eigen(scene::to_vec3(scene.gravity)),
           .thickness = scene.thickness,
           .hydraulic_radius_ratio = scene.hydraulic_radius_ratio,
           .dem = scene.dem.value_or(scene::Dem{}),
           .bodies = scene.bodies,
           .materials = scene.materials,
-          .walls = scene.walls};
+          .walls = scene.walls,
+          .meshes = std::move(meshes)};
 }
 
 std::vector<Load> read_loads(const std::vector<proto::Load>& messages) {
@@ -67,7 +73,7 @@ proto::Configured DemService::configure(const proto::Configure& message) {
   progress.set("configure");
   scene::Scene scene = scene::read_text(message.scene, "the scene sent by the coupler");
   grains::expand(scene, [&](const std::string& name) { return proto::content(message.files, name); });
-  solver_.emplace(make_problem(scene));
+  solver_.emplace(make_problem(scene, message.files));
   if (!message.state.empty()) solver_->resume(message.state);
   const Model& model = solver_->model();
   return {.notes = notes(model), .figures = {{"bodies", static_cast<double>(model.bodies.size())}}};

@@ -23,6 +23,7 @@ class Scene:
     box: tuple[list[float], list[float]] | None = None  # corners of a rectangular mesh [m]
     upwards: int = 1  # axis along which gravity acts
     walls: list[dict] = field(default_factory=list)  # as in the scene
+    folder: Path = Path()  # with the files that the scene names
 
     @property
     def pressure_label(self) -> str:
@@ -130,7 +131,7 @@ def read_scene(run: Path) -> Scene:
     fluid = scene.get("fluid", {})
     boundaries, mesh = fluid.get("boundaries", {}).values(), fluid.get("mesh", {})
     gravity = np.abs(scene.get("gravity", [0, 0]))
-    return Scene(upwards=int(np.argmax(gravity)) if gravity[1:].any() else 1, walls=scene.get("walls", []),
+    return Scene(upwards=int(np.argmax(gravity)) if gravity[1:].any() else 1, walls=scene.get("walls", []), folder=run,
                  steady=scene.get("time", {}).get("steady", False), heavy=any(scene.get("gravity", [])),
                  closed=all(boundary.get("type") != "traction" for boundary in boundaries),
                  box=(mesh["lower"], mesh["upper"]) if mesh.get("lower") and mesh.get("upper") else None)

@@ -15,10 +15,12 @@ COUNT = 20
 SCENE = '''gravity = [0, 0, -9.81]
 [[walls]]
 name = "floor"
+shape = "plane"
 point = [0, 0, 0]
 normal = [0, 0, 2]
 [[walls]]
 name = "front"
+shape = "plane"
 point = [0, 0, 0]
 normal = [0, 1, 0]
 '''
@@ -59,10 +61,23 @@ class Granular(unittest.TestCase):
     def test_only_walls_seen_edge_on_are_lines(self):
         write_run(self.run_folder, times=1)
         view = granular.View(results.read_bodies(self.run_folder), results.read_scene(self.run_folder))
-        (start, end), = view.walls()
+        floor, front = (view.lines(wall) for wall in view.scene.walls)
+        self.assertEqual(front, [])
+        start, end = floor[0]
         self.assertEqual((start[1], end[1]), (0, 0))
         self.assertLess(min(start[0], end[0]), 0)
         self.assertGreater(max(start[0], end[0]), COUNT - 1)
+
+    def test_round_walls_polylines_and_triangles_are_lines_too(self):
+        write_run(self.run_folder, times=1)
+        (self.run_folder / "a.stl").write_text("solid\nvertex 0 0 1\nvertex 2 0 1\nvertex 0 2 3\nendsolid\n")
+        view = granular.View(results.read_bodies(self.run_folder), results.read_scene(self.run_folder))
+        arc = view.lines({"shape": "arc", "centre": [1, 0], "radius": 2, "start": 0, "end": np.pi / 2})[0]
+        np.testing.assert_allclose(arc[[0, -1]], [[3, 0], [1, 2]], atol=1e-15)
+        square = view.lines({"shape": "polyline", "vertices": [0, 0, 1, 0, 1, 1], "closed": True})[0]
+        np.testing.assert_array_equal(square, [[0, 0], [1, 0], [1, 1], [0, 0]])
+        triangle = view.lines({"shape": "mesh", "file": "a.stl", "scale": 0.5})[0]
+        np.testing.assert_array_equal(triangle, [[0, 0.5], [1, 0.5], [0, 1.5], [0, 0.5]])
 
     def test_a_movie_is_a_gif_where_ffmpeg_is_missing(self):
         write_run(self.run_folder, times=3)

@@ -306,6 +306,35 @@ class Scenes(unittest.TestCase):
         self.assertTrue(15 < rolling < 35, rolling)
         self.assertLess(self.slope(), rolling - 2)
 
+    def masses_below(self, height: float) -> tuple[list[float], list[float]]:
+        """Times, and the mass [kg] of discs below a height then."""
+        import h5py
+
+        with h5py.File(self.run_folder / "bodies.h5") as file:
+            mass = 2500 * 0.01 * math.pi * file["radius"][:] ** 2
+            return list(file["time"][:]), list((file["position"][:, :, 1] < height) @ mass)
+
+    def test_hopper(self):
+        self.run_scene("hopper")
+        time, out = self.masses_below(0)
+        start, end = (next(i for i, mass in enumerate(out) if mass > share * 0.15) for share in (0.2, 0.6))
+        rate = (out[end] - out[start]) / (time[end] - time[start])
+        self.assert_near(rate, 0.75 * 0.83 * 2500 * 0.01 * math.sqrt(9.81) * 0.03**1.5, 0.25)
+
+    def test_rotating_drum(self):
+        """The angle of the line from the axis to the centre of mass, which is that of the surface."""
+        import h5py
+
+        self.run_scene("rotating_drum")
+        with h5py.File(self.run_folder / "bodies.h5") as file:
+            late = file["time"][:] > 1
+            mass, places = file["radius"][:] ** 2, file["position"][:][late]
+            self.assertLess(float(((places**2).sum(axis=2) ** 0.5 + file["radius"][:]).max()), 0.0603, "all in the drum")
+            centres = [sum(mass[:, None] * at[:, :2]) / sum(mass) for at in places]
+        angles = [math.degrees(math.atan2(-x, -y)) for x, y in centres]
+        self.assertTrue(20 < sum(angles) / len(angles) < 38, sum(angles) / len(angles))
+        self.assertLess(max(angles), 45)
+
     def test_settling_disc_starts(self):
         """A coarse mesh and the first twenty steps: straight down, slower than added mass alone would let it fall."""
         summary = self.run_scene("settling_disc", "fluid.mesh.cell_size=6.25e-4", "time.end=0.03")
