@@ -70,7 +70,6 @@ class Integration {
     sweep({.kick = 0.5 * duration});
     left_ -= duration;
     steps_left_ = 0;
-    ahead_ = 0;
     ++outcome_.sub_steps;
     outcome_.contacts = 0;
   }
@@ -81,7 +80,7 @@ class Integration {
     choose_sub_step(std::min(sub_step_wanted, model_.largest_sub_step));
     if (!is_affordable(steps_left_)) return;
     films_.prepare(0.5 * dt_);
-    if (!forces_stand_ || ahead_ != 0.5 * dt_) find_forces_at_start();
+    if (!forces_stand_) find_forces_at_start();
     double batch = films_.empty() ? std::min(steps_left_, std::ceil(model_.steps_per_contact)) : 1;
     const std::uint64_t searches = outcome_.searches;
     for (double kick = 0.5 * dt_; batch > 0 && outcome_.converged && outcome_.searches == searches; --batch) {
@@ -104,7 +103,7 @@ class Integration {
   /// From the middle of the last sub-step, or with half the `kick` from its end, to the middle of this one.
   void sub_step(double kick) {
     move({.kick = kick, .drift = dt_, .extrapolate = 0.5 * dt_, .clear = true});
-    find_forces(0.5 * dt_, dt_);
+    find_forces(dt_);
     ++outcome_.sub_steps;
   }
 
@@ -117,7 +116,7 @@ class Integration {
     films_.prepare(0.5 * dt_);
     sweep({.extrapolate = 0.5 * dt_, .clear = true});
     damp(particles_.now);
-    find_forces(0.5 * dt_, dt_);
+    find_forces(dt_);
     sweep({.kick = 0.5 * dt_});
     damp(particles_.half);
     ++outcome_.sub_steps;
@@ -158,20 +157,17 @@ class Integration {
     return false;
   }
 
-  /// Springs that were stretched in advance for another sub-step are taken back.
   void find_forces_at_start() {
     fastest_ = sweep({.clear = true});
-    find_forces(-ahead_, 0);
+    find_forces(0);
   }
 
-  /// Springs of pairs have stretched for `before` [s] since they were last left; the last forces were found
-  /// `elapsed` [s] ago.
-  void find_forces(double before, double elapsed) {
-    ahead_ = steps_left_ > 0 ? 0.5 * dt_ : 0;
+  /// Springs have stretched for `stretch_time` [s] at the middle velocities.
+  void find_forces(double stretch_time) {
     const double reach = dt_ * std::max(fastest_, state_.wall_contacts.speed);
-    ContactCount count = add_pair_forces(model_, *state_.neighbours, {before, ahead_, elapsed, dt_, reach},
-                                         memories_, particles_);
-    add_scene_ordered({elapsed, dt_, reach}, count);
+    const SubStep step{stretch_time, dt_, reach};
+    ContactCount count = add_pair_forces(model_, *state_.neighbours, step, memories_, particles_);
+    add_scene_ordered(step, count);
     forces_stand_ = true;
     outcome_.contacts = count.touching;
     outcome_.largest_overlap = std::max(outcome_.largest_overlap, count.largest_overlap);
@@ -277,7 +273,6 @@ class Integration {
   double left_ = 0;            ///< [s] of the step
   double dt_ = 0;              ///< [s] the sub-step
   double steps_left_ = 0;      ///< of this length; 0 where the length is free
-  double ahead_ = 0;           ///< [s] that the springs of pairs are stretched in advance
   double fastest_ = 0;         ///< [m/s] that no body exceeds
   double moved_ = 0;           ///< [m] that no body has moved farther since the last search
   Advanced outcome_;

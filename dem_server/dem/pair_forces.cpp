@@ -64,7 +64,7 @@ struct Parts {
 template <class Law>
 class PairForces {
  public:
-  PairForces(const Model& model, const Neighbours& neighbours, const PairStep& step, PairMemories& memories,
+  PairForces(const Model& model, const Neighbours& neighbours, const SubStep& step, PairMemories& memories,
              Particles& particles)
       : model_(model), list_(neighbours), step_(step), memories_(memories), particles_(particles) {
     for (int lane = 0; Law::single && lane < n_lanes; ++lane) set_lane(law_, lane, model.laws(0, 0));
@@ -116,8 +116,8 @@ class PairForces {
 
   /// Pairs as they are now: a is the lower particle, the normal points to b.
   struct Meeting {
-    Triple normal, velocity, spin_a, spin_b;  ///< velocity of a over b
-    Triple gained;                            ///< of it since the middle of the sub-step
+    Triple normal, velocity, spin_a, spin_b;      ///< velocity of a over b
+    Triple middle, middle_spin_a, middle_spin_b;  ///< the same at the middle of the sub-step
     Lanes gap, inverse_mass, Ra, Rb;
     Triple along(const Triple& v) const { return v - v.dot(normal) * normal; }
   };
@@ -155,8 +155,10 @@ class PairForces {
     std::tie(m.velocity, m.inverse_mass) =
         gather([&](std::size_t k) { return linear(batch.lower[k]) + opposite * linear(batch.higher[k]); });
     const auto middle = [&](std::uint32_t i) { return load(particles_.half[i].linear.data()); };
-    m.gained = m.velocity -
-               gather([&](std::size_t k) { return middle(batch.lower[k]) - middle(batch.higher[k]); }).first;
+    const auto middle_spin = [&](std::uint32_t i) { return load(particles_.half[i].angular.data()); };
+    m.middle = gather([&](std::size_t k) { return middle(batch.lower[k]) - middle(batch.higher[k]); }).first;
+    m.middle_spin_a = gather([&](std::size_t k) { return middle_spin(batch.lower[k]); }).first;
+    m.middle_spin_b = gather([&](std::size_t k) { return middle_spin(batch.higher[k]); }).first;
     std::tie(m.spin_a, m.Ra) = gather([&](std::size_t k) { return angular(batch.lower[k]); });
     std::tie(m.spin_b, m.Rb) = gather([&](std::size_t k) { return angular(batch.higher[k]); });
     const Lanes distance = sqrt(line.dot(line));
@@ -188,7 +190,7 @@ class PairForces {
     find_laws(batch);
     NormalOf<Lanes> state{1 / m.inverse_mass, m.Ra * m.Rb / (m.Ra + m.Rb), -m.gap, m.velocity.dot(m.normal)};
     state.acceleration = acceleration_now<Elastic>(
-        law_, state, Lanes(2 / step_.duration * m.gained.dot(m.normal)), step_.elapsed);
+        law_, state, Lanes(2 / step_.duration * (m.velocity - m.middle).dot(m.normal)), step_.stretch_time);
     const Lanes N = normal_force<Elastic>(law_, state, step_.duration);
     state.overlap = mean_overlap(state, step_.duration);
     const auto rubs = (state.overlap > 0) & (N > 0);
@@ -196,11 +198,14 @@ class PairForces {
 
     const auto remembers = remembering(batch);
     auto [slip, twist] = gather([&](std::size_t k) { return load(memories_.slip[pair[k]].data()); });
-    const Triple slide = m.along(m.velocity) + (arm_a * m.spin_a + arm_b * m.spin_b).cross(m.normal);
-    slip = follow(m, keep(remembers, slip)) + step_.before * slide;
+    const auto sliding = [&](const Triple& v, const Triple& spin_a, const Triple& spin_b) {
+      return m.along(v) + (arm_a * spin_a + arm_b * spin_b).cross(m.normal);
+    };
+    slip = follow(m, keep(remembers, slip)) +
+           step_.stretch_time * sliding(m.middle, m.middle_spin_a, m.middle_spin_b);
+    const Triple slide = sliding(m.velocity, m.spin_a, m.spin_b);
     const SpringOf<Lanes> tangential = tangential_spring<Elastic>(law_, state);
     const Triple friction = keep(rubs, stick_slip(tangential, law_.friction * N, slide, slip));
-    slip += step_.after * slide;
 
     const Triple force = friction - N * m.normal, moment = m.normal.cross(friction);
     Triple moment_a = arm_a * moment, moment_b = arm_b * moment;
@@ -240,16 +245,15 @@ class PairForces {
           particles_.half[batch.lower[k]].angular[3] + particles_.half[batch.higher[k]].angular[3];
     const SpringOf<Lanes> spring = turning_spring(
         law_, state, tangential, Lanes(select(inverse_inertia > 0, 1 / inverse_inertia, Lanes{})));
+    const Triple middle = m.middle_spin_a - m.middle_spin_b;
     const Triple turning = m.spin_a - m.spin_b, rolling = m.along(turning);
     const Lanes twisting = turning.dot(m.normal), lever = state.radius * N;
     Triple roll = gather([&](std::size_t k) { return load(memories_.roll[batch.pair[k]].data()); }).first;
-    roll = follow(m, keep(remembers, roll)) + step_.before * rolling;
-    twist += step_.before * twisting;
+    roll = follow(m, keep(remembers, roll)) + step_.stretch_time * m.along(middle);
+    twist += step_.stretch_time * middle.dot(m.normal);
     const Triple moment =
         stick_slip(spring, Lanes(law_.rolling_friction * lever), rolling, roll) +
         stick_slip(spring, Lanes(law_.twisting_friction * lever), twisting, twist) * m.normal;
-    roll += step_.after * rolling;
-    twist += step_.after * twisting;
     scatter(batch, roll, Lanes{},
             [&](std::size_t k, Lanes v) { store(v, memories_.roll[batch.pair[k]].data()); });
     return moment;
@@ -268,14 +272,14 @@ class PairForces {
 
   const Model& model_;
   const Neighbours& list_;
-  const PairStep step_;
+  const SubStep step_;
   PairMemories& memories_;
   Particles& particles_;
   PairLawOf<Lanes> law_{};
 };
 
 template <class Law>
-ContactCount add_with(const Model& model, const Neighbours& neighbours, const PairStep& step,
+ContactCount add_with(const Model& model, const Neighbours& neighbours, const SubStep& step,
                       PairMemories& memories, Particles& particles) {
   const auto& slabs = neighbours.slabs;
   const std::size_t n_slabs = slabs.size() - 1;
@@ -299,7 +303,7 @@ auto choose(bool single) {
 
 }  // namespace
 
-ContactCount add_pair_forces(const Model& model, const Neighbours& neighbours, const PairStep& step,
+ContactCount add_pair_forces(const Model& model, const Neighbours& neighbours, const SubStep& step,
                              PairMemories& memories, Particles& particles) {
   return with_elastic_law(model.elasticity, [&](auto law) {
     using Elastic = decltype(law);
