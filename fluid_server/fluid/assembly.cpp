@@ -54,13 +54,16 @@ void add_values(const Mesh& mesh, Index cell, std::array<T, element_unknowns>& e
 }  // namespace
 
 Residual System::assemble(const Flow& flow, const Fields& fields, const TimeTerms& time, bool with_jacobian) {
-  Residual residual{-load_, Vector::Zero(fields.p.size()), Vector::Zero(fields.lambda.size())};
+  Residual residual{-load_, Vector::Zero(fields.p.size()), Vector::Zero(fields.lambda.size()),
+                    Vector::Zero(fields.rigid.size())};
   if (time.load.size() > 0) residual.u -= flow.density * time.load;
   if (with_jacobian) matrix_.set_zero();
   const Vector acceleration = time.acceleration(fields.u);
   assemble_cells({flow, fields, time, acceleration, residual, with_jacobian});
   assemble_ghost(flow, fields, time, acceleration, residual, with_jacobian);
   assemble_arcs(fields, residual, with_jacobian);
+  free_bodies_.add_residual(interfaces_, fields.rigid, fields.lambda, residual.lambda, residual.rigid);
+  if (with_jacobian) free_bodies_.add_jacobian(interfaces_, matrix_);
   return residual;
 }
 

@@ -31,6 +31,17 @@ void check_arcs(const Interface& f) {
           f.outline.period(), turn);
 }
 
+void check_balance(const Interface& f) {
+  if (!f.balance) return;
+  const auto& [mass_rate, inertia_rate, load, torque] = *f.balance;
+  require(
+      mass_rate >= 0 && inertia_rate >= 0 && load.allFinite() && std::isfinite(torque) &&
+          std::isfinite(mass_rate + inertia_rate),
+      "body {}: a mass and an inertia ≥ 0 and a finite load are required; got m/Δt {} kg/(m s), J/Δt {} kg "
+      "m/s, load ({}, {}) N/m, torque {} N",
+      f.body, mass_rate, inertia_rate, load.x(), load.y(), torque);
+}
+
 void check_size(const Interface& f) {
   const Vec2 low = f.outline.lower(), high = f.outline.upper();
   const double largest = std::max({low.lpNorm<Eigen::Infinity>(), high.lpNorm<Eigen::Infinity>(),
@@ -76,6 +87,7 @@ void check(std::span<const Interface> interfaces) {
     const Interface& f = interfaces[i];
     check_arcs(f);
     check_size(f);
+    check_balance(f);
     for (const Interface& other : interfaces.first(i)) {
       require(other.body != f.body, "each body must come once; body {} comes twice", f.body);
       const Vec2 low = f.outline.lower(), high = f.outline.upper();
@@ -104,7 +116,7 @@ Vec2 Interface::velocity(Index arc, double parameter) const {
 
 bool Interface::same_geometry(const Interface& other) const {
   return outline == other.outline && rigid.centre == other.rigid.centre && start == other.start &&
-         end == other.end;
+         end == other.end && balance.has_value() == other.balance.has_value();
 }
 
 }  // namespace fpi::fluid

@@ -43,6 +43,10 @@ Result NavierStokes::advance(const Request& request) {
   require(request.time_step >= 0, "a time step ≥ 0 s is required; got {}", request.time_step);
   check(request.interfaces);
   const unsigned k = request.sub_iteration;
+  require(
+      request.time_step > 0 ||
+          std::ranges::none_of(request.interfaces, [](const Interface& i) { return i.balance.has_value(); }),
+      "a steady flow cannot move bodies: give their velocities");
   Result result;
   if (k == 0) {
     result.newton = start_step(request);
@@ -61,7 +65,7 @@ Result NavierStokes::advance(const Request& request) {
   last_ = request;
   last_converged_ = false;
   if (!result.newton.converged) return result;
-  system_->set_velocities(request.interfaces);
+  if (k > 0) system_->set_velocities(with_buoyancy(request));
   result.newton = solve_step(request);
   if (result.newton.converged) {
     result.tractions = tractions();
@@ -82,6 +86,7 @@ NewtonResult NavierStokes::start_step(const Request& request) {
                                        system_ ? system_->cut() : CutMesh{}, monitor.ledger);
   }
   if (!accepted_system_) check_held(request.time_step == 0);
+  system_->set_velocities(with_buoyancy(request));
   start_ = accepted_;
   NewtonResult result;
   result.converged = true;
@@ -124,7 +129,12 @@ void NavierStokes::set_time_terms(const Request& request) {
 }
 
 Fields NavierStokes::with_multipliers(const Vector& u, const Vector& p) const {
-  return {u, p, Vector::Zero(2 * system_->cut().n_multipliers())};
+  const std::vector<Interface>& interfaces = system_->interfaces();
+  Vector rigid(3 * static_cast<Eigen::Index>(interfaces.size()));
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
+    rigid.segment<3>(3 * static_cast<Eigen::Index>(i)) << interfaces[i].rigid.translation,
+        interfaces[i].rigid.spin;
+  return {u, p, Vector::Zero(2 * system_->cut().n_multipliers()), rigid};
 }
 
 NewtonResult NavierStokes::solve_step(const Request& request) {
@@ -136,17 +146,35 @@ NewtonResult NavierStokes::solve_step(const Request& request) {
   const NewtonResult result =
       is_cold ? solve_steady(*system_, flow_, settings_.fluid.newton, current_, monitor)
               : solve(*system_, flow_, time_terms_, settings_.fluid.newton, current_, monitor);
+  if (result.converged) system_->keep_motions(current_.fields.rigid);
   if (result.converged && request.sub_iteration == 0 && !system_->numbering().pinned.empty())
     system_->check_closed_parts(system_->assemble(flow_, current_.fields, time_terms_, false),
                                 current_.fields.u);
   return result;
 }
 
+/// The mean pressure falls by this much a metre [Pa/m], in the place of a body too; λ does not know of it.
+Vec2 NavierStokes::mean_force(double time) const {
+  return body_force_.pressure_drop(time) - flow_.density * settings_.gravity;
+}
+
+/// The interfaces asked for, their balances with what the mean pressure exerts.
+std::vector<Interface> NavierStokes::with_buoyancy(const Request& request) const {
+  std::vector<Interface> interfaces = request.interfaces;
+  const Vec2 force_density = mean_force(request.time);
+  for (Interface& interface : interfaces) {
+    if (!interface.balance) continue;
+    const Vec2 buoyancy = interface.outline.area() * force_density;
+    interface.balance->load += buoyancy;
+    interface.balance->torque += cross(interface.outline.centroid() - interface.rigid.centre, buoyancy);
+  }
+  return interfaces;
+}
+
 std::vector<BodyTraction> NavierStokes::tractions() const {
   const auto resultants = system_->resultants(current_.fields.lambda);
   const auto& interfaces = system_->interfaces();
-  // The mean pressure falls by this much a metre, in the place of a body too; λ does not know of it.
-  const Vec2 mean_force = body_force_.pressure_drop(last_->time) - flow_.density * settings_.gravity;
+  const Vec2 force_density = mean_force(last_->time);
   std::vector<BodyTraction> out(interfaces.size());
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const Interface& interface = interfaces[i];
@@ -161,7 +189,8 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
                                  hats[1] * lambda.segment<2>(2 * right));
     }
     const Outline& outline = interface.outline;
-    const Vec2 buoyancy = outline.area() * mean_force;
+    const Vec2 buoyancy = outline.area() * force_density;
+    out[i].motion = interface.rigid;
     out[i].force = resultants[i].force + buoyancy;
     out[i].torque = resultants[i].torque + cross(outline.centroid() - interface.rigid.centre, buoyancy);
     out[i].arc_length = system_->arc_lengths()[i];

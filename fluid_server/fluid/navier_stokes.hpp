@@ -37,6 +37,7 @@ struct BodyTraction {
   Vec2 force = Vec2::Zero();  ///< with the buoyancy and the fall of the mean pressure [N/m]
   double torque = 0;          ///< about the centre [N]
   double arc_length = 0;      ///< wanted next [m]
+  RigidVelocity motion;       ///< of the body, as it was given or, where it has a balance, found
 };
 
 struct Result {
@@ -90,6 +91,8 @@ class NavierStokes {
 
  private:
   NewtonResult start_step(const Request& request);
+  Vec2 mean_force(double time) const;
+  std::vector<Interface> with_buoyancy(const Request& request) const;
   void set_time_terms(const Request& request);
   /// u and p [m/s, Pa], and no multiplier yet.
   Fields with_multipliers(const Vector& u, const Vector& p) const;

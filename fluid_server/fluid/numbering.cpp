@@ -20,7 +20,7 @@ std::vector<Index> pinned_vertices(const Mesh& mesh, const Components& component
 }  // namespace
 
 Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
-                          const Components& components) {
+                          const Components& components, const std::vector<Interface>& interfaces) {
   constexpr Index absent = -1, wanted = 0;
   Numbering out;
   out.velocity.assign(2 * static_cast<std::size_t>(mesh.n_nodes()), absent);
@@ -57,6 +57,8 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
   }
   for (Index& equation : out.multiplier)
     if (equation == wanted) equation = out.n_equations++;
+  for (const Interface& interface : interfaces)
+    for (int i = 0; i < 3; ++i) out.rigid.push_back(interface.balance ? out.n_equations++ : absent);
   return out;
 }
 

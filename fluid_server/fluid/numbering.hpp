@@ -1,6 +1,6 @@
 /// Which unknowns are in the system: velocities of active nodes that the boundary does not give, pressures of
 /// active vertices except one pinned in each part of the fluid that knows no pressure level, multipliers of
-/// arcs in the fluid.
+/// arcs in the fluid, velocity and spin of bodies that the fluid moves.
 #pragma once
 
 #include <optional>
@@ -15,6 +15,7 @@ struct Numbering {
   std::vector<Index> velocity;  ///< equation of 2·node + component, or −1. At a slip node: normal, tangential
   std::vector<Index> pressure;    ///< equation of each vertex, or −1
   std::vector<Index> multiplier;  ///< equation of 2·multiplier + component, or −1
+  std::vector<Index> rigid;       ///< equations of Vx, Vy, ω of each interface, or −1 where they are given
   std::vector<Index> pinned;      ///< vertices whose pressure is set to 0
   std::vector<std::uint8_t> node_is_active;
   Index n_equations = 0;
@@ -22,7 +23,7 @@ struct Numbering {
 
 /// A multiplier is in the system where more than a twentieth of its function lies in the fluid.
 Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutMesh& cut,
-                          const Components& components);
+                          const Components& components, const std::vector<Interface>& interfaces);
 
 /// A direction along which no boundary and no body gives the velocity of the system, so that a uniform flow
 /// can be added to any other; none where all are held.

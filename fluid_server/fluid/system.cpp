@@ -69,7 +69,8 @@ System::System(const Space& space, const scene::Fluid& parameters, std::vector<I
           wanted_arc_length(space.mesh, space.locator, interface.outline, embedding_.arc_ratio));
   }
   const ScopedTimer timer(ledger, "assembly");
-  numbering_ = number_unknowns(space.mesh, space.boundary, cut_, components_);
+  numbering_ = number_unknowns(space.mesh, space.boundary, cut_, components_, interfaces_);
+  free_bodies_ = FreeBodies(interfaces_, cut_, numbering_);
   order_cells();
   require(numbering_.n_equations > 0,
           "a part of the mesh must be fluid; the bodies cover all of it: make them smaller");
@@ -150,12 +151,14 @@ void System::declare_blocks() {
       for (Index node : nodes) equations.push_back(v[2 * node + component]);
     matrix_.declare(equations, arc_mask(has_slip_node(nodes)));
   }
+  free_bodies_.declare_blocks(numbering_, matrix_);
   matrix_.finish();
 }
 
 void System::set_velocities(const std::vector<Interface>& interfaces) {
   interfaces_ = interfaces;
   pieces_.resize(cut_.pieces.size());
+  free_bodies_.clear_integrals();
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     const ArcPiece& piece = cut_.pieces[k];
     const Interface& interface = interfaces_[piece.interface];
@@ -170,11 +173,22 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
       for (int end = 0; end < 2; ++end) {
         const double weight = w * hats[end];
         integrals.shape[end] += weight * n;
-        integrals.velocity[end] += weight * interface.velocity(piece.arc, parameter);
+        if (!interface.balance) integrals.velocity[end] += weight * interface.velocity(piece.arc, parameter);
         integrals.arm[end] += weight * (x - interface.rigid.centre);
         integrals.length[end] += weight;
       }
     }
+    for (int end = 0; end < 2; ++end)
+      free_bodies_.add_integrals(piece.multipliers[end], integrals.length[end], integrals.arm[end]);
+  }
+}
+
+void System::keep_motions(const Vector& rigid) {
+  for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+    if (!interfaces_[i].balance) continue;
+    const auto motion = rigid.segment<3>(3 * static_cast<Eigen::Index>(i));
+    interfaces_[i].rigid = {interfaces_[i].rigid.centre, motion.head<2>(), motion[2]};
+    interfaces_[i].sampled.clear();
   }
 }
 
@@ -205,7 +219,12 @@ void System::set_load(double t, const BodyForce& body_force) {
 
 void System::check_closed_parts(const Residual& residual, const Vector& u) const {
   double moved = space_.boundary.flux(u).gross;
-  for (const PieceIntegrals& piece : pieces_) moved += (piece.velocity[0] + piece.velocity[1]).norm();
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    const auto& [shape, velocity, arm, length] = pieces_[k];
+    const Interface& interface = interfaces_[cut_.pieces[k].interface];
+    moved += interface.balance ? (length[0] + length[1]) * interface.rigid.translation.norm()
+                               : (velocity[0] + velocity[1]).norm();
+  }
   // The no-slip condition holds arc by arc, so a little flows through an outline that is at rest in a flow.
   const double leak = 0.01 * space_.smallest_size * u.lpNorm<Eigen::Infinity>();
   // A pore that bodies alone enclose shrinks as their contacts give way; its fluid is let go.
@@ -240,6 +259,8 @@ Vector System::gather(const Residual& residual) const {
     if (numbering_.pressure[v] >= 0) out[numbering_.pressure[v]] = residual.p[v];
   for (Eigen::Index m = 0; m < residual.lambda.size(); ++m)
     if (numbering_.multiplier[m] >= 0) out[numbering_.multiplier[m]] = residual.lambda[m];
+  for (Eigen::Index i = 0; i < residual.rigid.size(); ++i)
+    if (numbering_.rigid[i] >= 0) out[numbering_.rigid[i]] = residual.rigid[i];
   return out;
 }
 
@@ -258,6 +279,8 @@ void System::add(const Vector& update, double step, Fields& fields) const {
     if (numbering_.pressure[v] >= 0) fields.p[v] += step * update[numbering_.pressure[v]];
   for (Eigen::Index m = 0; m < fields.lambda.size(); ++m)
     if (numbering_.multiplier[m] >= 0) fields.lambda[m] += step * update[numbering_.multiplier[m]];
+  for (Eigen::Index i = 0; i < fields.rigid.size(); ++i)
+    if (numbering_.rigid[i] >= 0) fields.rigid[i] += step * update[numbering_.rigid[i]];
 }
 
 std::shared_ptr<const Factor> System::factor(Ledger& ledger) {

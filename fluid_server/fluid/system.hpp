@@ -9,6 +9,7 @@
 #include "fluid/block_matrix.hpp"
 #include "fluid/body_force.hpp"
 #include "fluid/cut_mesh.hpp"
+#include "fluid/free_bodies.hpp"
 #include "fluid/kernel.hpp"
 #include "fluid/linear_solver.hpp"
 #include "fluid/numbering.hpp"
@@ -22,6 +23,7 @@ struct Fields {
   Vector u;       ///< x, y of each node [m/s]
   Vector p;       ///< of each vertex [Pa], without the hydrostatic part
   Vector lambda;  ///< x, y of each multiplier [Pa]
+  Vector rigid;   ///< Vx, Vy, ω of each interface [m/s, rad/s]; read of bodies that the fluid moves
 };
 
 /// The acceleration as a function of the velocity: a = inertia · u − history (paper, eq. 10). Where nodes
@@ -44,10 +46,10 @@ struct TimeTerms {
   Vector acceleration(const Vector& u) const { return inertia * u - history; }
 };
 
-/// Residual before constraints: what each node, vertex and multiplier would have to balance [N/m, m²/s,
-/// m²/s].
+/// Residual before constraints: what each node, vertex, multiplier and body would have to balance [N/m, m²/s,
+/// m²/s, N/m and N].
 struct Residual {
-  Vector u, p, lambda;
+  Vector u, p, lambda, rigid;
 };
 
 /// Unknowns of the blocks: (ux, uy of 6 nodes, p of 3 vertices); (ux, uy of 9 nodes); (λ of both ends of an
@@ -71,8 +73,10 @@ class System {
   const std::vector<double>& arc_lengths() const { return arc_lengths_; }
   bool same_geometry(const std::vector<Interface>& interfaces) const;
 
-  /// Takes the velocities (not the geometry) of `interfaces`.
+  /// Takes the velocities and balances (not the geometry) of `interfaces`.
   void set_velocities(const std::vector<Interface>& interfaces);
+  /// Gives the bodies that the fluid moves the velocities that it found.
+  void keep_motions(const Vector& rigid);
   /// Sets what drives the flow at time t [s]: body force ρb [N/m³] and boundary tractions.
   void set_load(double t, const BodyForce& body_force);
 
@@ -155,6 +159,7 @@ class System {
   std::vector<Stretch> stretches_;  // of each stripe
   std::vector<Index> cut_index_;    // of each active cell in cut_.cut_cells, or −1
   std::vector<PieceIntegrals> pieces_;
+  FreeBodies free_bodies_;
   Vector load_;
   bool has_load_ = false;
   Index first_ghost_ = 0, first_piece_ = 0;  // block numbers
