@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <set>
 
 #include "core/error.hpp"
 #include "core/log.hpp"
@@ -124,11 +125,17 @@ class Session {
       external.push_back(participant.external);
       summary_.figures[participant.role];
     }
-    for (const proto::Hello& hello : host_->admit(roles, external)) check_hello(hello);
+    for (const proto::Hello& hello : host_->admit(roles, external)) {
+      check_hello(hello);
+      offered_.insert(hello.capabilities.begin(), hello.capabilities.end());
+    }
     if (scene_.needs_fluid()) fluid_.emplace(*host_, "fluid", number_, ledger_);
     if (scene_.needs_dem()) dem_.emplace(*host_, "dem", number_, ledger_);
-    run_ = std::make_unique<Run>(scene_, Participants{fluid_ ? &*fluid_ : nullptr, dem_ ? &*dem_ : nullptr},
-                                 options_.folder, number_, ledger_);
+    const Participants participants{.fluid = fluid_ ? &*fluid_ : nullptr,
+                                    .dem = dem_ ? &*dem_ : nullptr,
+                                    .fluid_moves_bodies = offered_.contains("balance"),
+                                    .dem_takes_added_inertia = offered_.contains("added_inertia")};
+    run_ = std::make_unique<Run>(scene_, participants, options_.folder, number_, ledger_);
     run_->on_progress = ProgressPrinter();
   }
 
@@ -220,6 +227,7 @@ class Session {
   bool began_ = false;
   Files files_;
   std::unique_ptr<proto::Host> host_;
+  std::set<std::string> offered_;  ///< capabilities of all participants
   std::optional<RemoteFluid> fluid_;
   std::optional<RemoteDem> dem_;
   std::unique_ptr<Run> run_;

@@ -60,6 +60,7 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
       iteration_(scene.coupling, dofs_),
       arc_lengths_(scene.bodies.size()),
       told_of_coarse_mesh_(scene.bodies.size()) {
+  choose_response();
   for (const scene::Body& body : scene.bodies) {
     coupling::RigidMotion motion = coupling::initial_motion(body);
     prescribed_.emplace_back();
@@ -76,6 +77,19 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
     const coupling::RigidMotion start{.position = coupling::to_eigen(scene::to_vec3(scene.walls[i].centre))};
     accepted_.walls.push_back(moving_walls_.back().motion.with_velocities(start, 0));
   }
+}
+
+void Simulation::choose_response() {
+  const std::string& asked = scene_.coupling.response;
+  require(
+      asked != "fluid" || participants_.fluid_moves_bodies,
+      "coupling.response = \"fluid\" needs a fluid that offers \"balance\"; this one does not: take \"auto\" "
+      "or \"analytic\"");
+  fluid_moves_bodies_ = participants_.fluid_moves_bodies && (asked == "auto" || asked == "fluid");
+  // Gravity is what the DEM adds in the first step, as far as is known.
+  force_of_dem_ = dofs_.inertia();
+  for (Eigen::Index k = 0; k < dofs_.size(); k += 3)
+    force_of_dem_.segment<3>(k).array() *= Eigen::Array3d(scene_.gravity[0], scene_.gravity[1], 0);
 }
 
 void Simulation::configure(const Files& files, const StatesByRole& states) {
@@ -122,12 +136,23 @@ void Simulation::warn_where_coarse(std::size_t body) {
 
 Attempt Simulation::attempt(double start, double end, double time_step) {
   place_bodies(start, end, time_step);
+  added_ = scene_.fluid && scene_.coupling.response != "none"
+               ? coupling::added_inertia(dofs_, *scene_.fluid, scene_.hydraulic_radius_ratio, time_step)
+               : Eigen::VectorXd::Zero(dofs_.size());
+  inertia_ = dofs_.inertia() + added_;
   report_ = {};
   const coupling::CoupledMap map = [this](const Eigen::VectorXd& x, std::uint32_t k) {
     return exchange(x, k);
   };
-  static_cast<coupling::StepResult&>(report_) = iteration_.solve(map, dofs_.velocities(placed_), time_step);
+  static_cast<coupling::StepResult&>(report_) = iteration_.solve(map, first_iterate(), inertia_, time_step);
   return report_;
+}
+
+/// The predicted velocities; or, where the fluid moves the bodies, the velocities that the DEM alone would
+/// give with its forces of the last step and all inertia.
+Eigen::VectorXd Simulation::first_iterate() const {
+  if (!fluid_moves_bodies_) return dofs_.velocities(placed_);
+  return dofs_.velocities(accepted_.motions) + time_step_ * force_of_dem_.cwiseQuotient(inertia_);
 }
 
 /// Free bodies at their predicted places, the others where their formulas say. All sub-iterations share the
@@ -155,15 +180,24 @@ void Simulation::place_bodies(double start, double end, double time_step) {
   }
 }
 
-coupling::Exchange Simulation::exchange(const Eigen::VectorXd& velocities, std::uint32_t sub_iteration) {
+/// One answer of the fluid and one of the DEM. Both have moved the free bodies then; the residual is by how
+/// much they disagree.
+coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration) {
   const proto::Stamp stamp{.run = run_, .step = steps_ + 1, .sub_iteration = sub_iteration};
-  dofs_.set_velocities(velocities, placed_);
+  if (fluid_moves_bodies_)
+    attempted_force_of_dem_ = inertia_.cwiseProduct(x - dofs_.velocities(accepted_.motions)) / time_step_;
+  else
+    dofs_.set_velocities(x, placed_);
   coupling::Exchange answer;
   if (participants_.fluid) answer.reason = advance_fluid(stamp);
   if (participants_.dem && answer.reason.empty()) answer.reason = advance_dem(stamp);
   answer.converged = answer.reason.empty();
   answer.velocities = dofs_.velocities(attempted_.motions);
   answer.forces = dofs_.loads(attempted_.loads);
+  answer.residual = answer.velocities - dofs_.velocities(placed_);
+  if (!participants_.dem_takes_added_inertia)
+    answer.residual.array() *= dofs_.inertia().array() / inertia_.array();
+  if (fluid_moves_bodies_) attempted_force_of_dem_ += inertia_.cwiseProduct(answer.residual) / time_step_;
   if (after_exchange) after_exchange(sub_iteration + 1);
   return answer;
 }
@@ -171,15 +205,31 @@ coupling::Exchange Simulation::exchange(const Eigen::VectorXd& velocities, std::
 /// "" or why the fluid did not converge.
 std::string Simulation::advance_fluid(const proto::Stamp& stamp) {
   proto::FluidAdvance message{.time = end_, .time_step = time_step_, .interfaces = {}};
-  for (std::uint32_t i = 0; i < placed_.size(); ++i) {
+  for (std::uint32_t i = 0; i < placed_.size(); ++i)
     message.interfaces.push_back(to_wire(i, attempted_.arcs[i], placed_[i]));
-  }
+  if (fluid_moves_bodies_) add_balances(message.interfaces);
   proto::FluidAdvanced answer = participants_.fluid->advance(stamp, message);
   report_.newton_iterations += answer.newton_iterations;
   report_.time_error = {.value = answer.time_error, .order = answer.time_error_order};
   if (!answer.converged) return "the fluid did not converge: " + answer.reason;
   take_tractions(std::move(answer.tractions));
   return "";
+}
+
+/// Each free body's own balance of momentum, for the fluid to solve with its equations.
+void Simulation::add_balances(std::vector<proto::Interface>& interfaces) const {
+  for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
+    const auto at = 3 * static_cast<Eigen::Index>(k);
+    const std::size_t body = dofs_.bodies()[k];
+    const coupling::RigidMotion& start = accepted_.motions[body];
+    const auto force = attempted_force_of_dem_.segment<3>(at);
+    interfaces[body].balance = {.mass = dofs_.inertia()[at],
+                                .inertia = dofs_.inertia()[at + 2],
+                                .velocity = to_wire(start.velocity),
+                                .spin = to_wire(start.spin),
+                                .force = {force[0], force[1], 0},
+                                .torque = {0, 0, force[2]}};
+  }
 }
 
 void Simulation::take_tractions(std::vector<proto::Traction> tractions) {
@@ -195,6 +245,10 @@ void Simulation::take_tractions(std::vector<proto::Traction> tractions) {
             scene_.bodies[i].name, attempted_.arcs[i].size(), traction.values.size(), traction.body);
     attempted_.loads[i] = {.force = coupling::to_eigen(traction.force),
                            .torque = coupling::to_eigen(traction.torque)};
+    if (fluid_moves_bodies_ && !prescribed_[i]) {
+      placed_[i].velocity = coupling::to_eigen(traction.velocity);
+      placed_[i].spin = coupling::to_eigen(traction.spin);
+    }
   }
   attempted_.tractions = std::move(tractions);
 }
@@ -205,13 +259,9 @@ std::string Simulation::advance_dem(const proto::Stamp& stamp) {
       .time = end_, .time_step = time_step_, .loads = {}, .prescribed = {}, .resolved_gaps = {}, .walls = {}};
   for (std::size_t i = 0; i < moving_walls_.size(); ++i)
     message.walls.push_back(to_wire(moving_walls_[i].index, attempted_.walls[i]));
-  for (std::uint32_t i = 0; i < placed_.size(); ++i) {
-    if (prescribed_[i]) {
-      message.prescribed.push_back(to_wire(i, placed_[i]));
-    } else if (participants_.fluid) {
-      message.loads.push_back(to_wire(attempted_.arcs[i], attempted_.tractions[i]));
-    }
-  }
+  for (std::uint32_t i = 0; i < placed_.size(); ++i)
+    if (prescribed_[i]) message.prescribed.push_back(to_wire(i, placed_[i]));
+  if (participants_.fluid) message.loads = loads_on_free_bodies();
   if (participants_.fluid)
     for (const double length : arc_lengths_) message.resolved_gaps.push_back(resolved_gap_ratio_ * length);
   const proto::DemAdvanced answer = participants_.dem->advance(stamp, message);
@@ -219,6 +269,21 @@ std::string Simulation::advance_dem(const proto::Stamp& stamp) {
   if (!answer.converged) return "the DEM did not converge: " + answer.reason;
   take_motions(answer.motions);
   return "";
+}
+
+/// What the fluid exerts at the velocities it had, and how that changes with them.
+std::vector<proto::Load> Simulation::loads_on_free_bodies() const {
+  std::vector<proto::Load> loads;
+  for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
+    const std::size_t body = dofs_.bodies()[k];
+    loads.push_back(to_wire(attempted_.arcs[body], attempted_.tractions[body]));
+    if (!participants_.dem_takes_added_inertia) continue;
+    loads.back().velocity = to_wire(placed_[body].velocity);
+    loads.back().spin = to_wire(placed_[body].spin);
+    loads.back().added_mass = added_[3 * static_cast<Eigen::Index>(k)];
+    loads.back().added_inertia = added_[3 * static_cast<Eigen::Index>(k) + 2];
+  }
+  return loads;
 }
 
 void Simulation::take_motions(const std::vector<proto::Motion>& motions) {
@@ -244,6 +309,7 @@ void Simulation::accept() {
   if (participants_.dem) participants_.dem->accept();
   predictor_.accept(dofs_.velocities(accepted_.motions), time_step_);
   iteration_.accept();
+  if (fluid_moves_bodies_) force_of_dem_ = attempted_force_of_dem_;
   accepted_ = std::move(attempted_);
   ++steps_;
 }
@@ -265,6 +331,7 @@ NumbersByName Simulation::numbers() const {
   numbers["arc_lengths"] = arc_lengths_;
   numbers["predictor"] = predictor_.state();
   numbers["acceleration"] = iteration_.state();
+  numbers["force_of_dem"] = {force_of_dem_.begin(), force_of_dem_.end()};
   const auto put = [&numbers](const char* name, const auto& vector) {
     numbers[name].insert(numbers[name].end(), vector.begin(), vector.end());
   };
@@ -289,6 +356,8 @@ void Simulation::set_numbers(const NumbersByName& numbers) {
   steps_ = static_cast<std::uint64_t>(numbers.at("steps").at(0));
   predictor_.set_state(numbers.at("predictor"));
   iteration_.set_state(numbers.at("acceleration"));
+  const std::vector<double>& force = numbers.at("force_of_dem");
+  force_of_dem_ = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<Eigen::Index>(force.size()));
   if (scene_.bodies.empty()) return;
   arc_lengths_ = numbers.at("arc_lengths");
   const auto triple = [&numbers](const char* name, std::size_t body) {

@@ -12,6 +12,7 @@
 #include "coupling/interface_mesh.hpp"
 #include "coupling/predictor.hpp"
 #include "coupling/prescribed_motion.hpp"
+#include "coupling/response.hpp"
 #include "coupling/rigid_dofs.hpp"
 #include "coupling/staggered_iteration.hpp"
 #include "coupling/time_window.hpp"
@@ -24,6 +25,8 @@ namespace fpi {
 struct Participants {
   proto::FluidParticipant* fluid = nullptr;
   proto::DemParticipant* dem = nullptr;
+  bool fluid_moves_bodies = false;       ///< by balances sent to it (capability "balance")
+  bool dem_takes_added_inertia = false;  ///< capability "added_inertia"
 };
 
 /// Arrays of numbers by name, for a checkpoint.
@@ -78,7 +81,11 @@ class Simulation {
 
  private:
   void place_bodies(double start, double end, double time_step);
-  coupling::Exchange exchange(const Eigen::VectorXd& velocities, std::uint32_t sub_iteration);
+  void choose_response();
+  Eigen::VectorXd first_iterate() const;
+  coupling::Exchange exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration);
+  void add_balances(std::vector<proto::Interface>& interfaces) const;
+  std::vector<proto::Load> loads_on_free_bodies() const;
   std::string advance_fluid(const proto::Stamp& stamp);
   std::string advance_dem(const proto::Stamp& stamp);
   void take_tractions(std::vector<proto::Traction> tractions);
@@ -105,7 +112,11 @@ class Simulation {
 
   std::uint64_t steps_ = 0;
   CoupledState accepted_, attempted_;
-  double end_ = 0, time_step_ = 0;  ///< [s] of the attempt
+  bool fluid_moves_bodies_ = false;  ///< x is what the DEM adds, else the velocities that the fluid gets
+  Eigen::VectorXd added_;            ///< inertia that the fluid adds to each unknown in this step
+  Eigen::VectorXd inertia_;          ///< of each unknown, with what is added
+  Eigen::VectorXd force_of_dem_, attempted_force_of_dem_;  ///< mean over a step on each unknown [N], [N m]
+  double end_ = 0, time_step_ = 0;                         ///< [s] of the attempt
   std::vector<coupling::RigidMotion>
       placed_;  ///< geometry that the attempt is frozen at, with its velocities
   Attempt report_;

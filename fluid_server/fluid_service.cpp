@@ -40,7 +40,16 @@ Settings settings(const scene::Scene& scene) {
   return {*scene.fluid, Vec2(scene.gravity[0], scene.gravity[1]), scene.moves()};
 }
 
-Interface read_interface(const proto::Interface& m) {
+/// Per metre of thickness.
+Balance read_balance(const proto::Balance& m, double time_step, double thickness) {
+  const double per_step = 1 / (time_step * thickness);
+  return {.mass_rate = per_step * m.mass,
+          .inertia_rate = per_step * m.inertia,
+          .load = per_step * m.mass * to_plane(m.velocity) + to_plane(m.force) / thickness,
+          .torque = per_step * m.inertia * m.spin[2] + m.torque[2] / thickness};
+}
+
+Interface read_interface(const proto::Interface& m, double time_step, double thickness) {
   Interface out;
   out.body = static_cast<Index>(m.body);
   out.rigid = {to_plane(m.centre), to_plane(m.translation), m.spin[2]};
@@ -52,6 +61,7 @@ Interface read_interface(const proto::Interface& m) {
   } else {
     set_edges(out, to_points(m.vertices));
   }
+  if (m.balance) out.balance = read_balance(*m.balance, time_step, thickness);
   return out;
 }
 
@@ -59,7 +69,9 @@ proto::Traction write_traction(const BodyTraction& t, double thickness) {
   proto::Traction out{.body = static_cast<std::uint32_t>(t.body),
                       .force = to_wire(thickness * t.force),
                       .torque = {0, 0, thickness * t.torque},
-                      .arc_length = t.arc_length};
+                      .arc_length = t.arc_length,
+                      .velocity = to_wire(t.motion.translation),
+                      .spin = {0, 0, t.motion.spin}};
   for (const Vec2& lambda : t.lambda) out.values.insert(out.values.end(), {lambda.x(), lambda.y()});
   return out;
 }
@@ -105,7 +117,7 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
 proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const proto::FluidAdvance& message) {
   Request request{message.time, message.time_step, stamp.sub_iteration, {}};
   for (const proto::Interface& interface : message.interfaces)
-    request.interfaces.push_back(read_interface(interface));
+    request.interfaces.push_back(read_interface(interface, message.time_step, scene_.thickness));
   const Result result = solver().advance(request);
   proto::FluidAdvanced out{.converged = result.newton.converged,
                            .reason = result.newton.reason,

@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
   fpi::fluid::choose_blas_kernel(argv);
   const fpi::proto::Connection connection =
-      fpi::proto::read_command_line(argc, argv, "fluid_server", {"checkpoint", "fields"});
+      fpi::proto::read_command_line(argc, argv, "fluid_server", {"checkpoint", "fields", "balance"});
   fpi::fluid::FluidService service;
   return fpi::proto::serve(service, connection);
 }

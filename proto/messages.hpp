@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -14,7 +15,7 @@
 
 namespace fpi::proto {
 
-inline constexpr std::uint32_t protocol_version = 2;
+inline constexpr std::uint32_t protocol_version = 3;
 
 using Vec3 = std::array<double, 3>;
 using Bytes = std::vector<std::uint8_t>;
@@ -36,7 +37,7 @@ struct Hello {
   std::uint32_t protocol_version = proto::protocol_version;
   std::string role{};  ///< "fluid" | "dem"
   std::string program{}, program_version{};
-  std::vector<std::string> capabilities{};  ///< e.g. "checkpoint", "fields"
+  std::vector<std::string> capabilities{};  ///< of the participant, see fpi.fbs
   std::uint64_t schema_fingerprint = 0;     ///< of fpi.fbs
   std::uint64_t scene_fingerprint = 0;      ///< 0: any scene
 };
@@ -82,6 +83,15 @@ struct Motion {
   Vec3 spin{};                                    ///< [rad/s]
 };
 
+/// The balance of momentum of a free body over the step: mass (V − velocity)/Δt is `force` and the force of
+/// the fluid; likewise its spin.
+struct Balance {
+  double mass = 0, inertia = 0;  ///< [kg], [kg m²]
+  Vec3 velocity{}, spin{};       ///< at the start of the step [m/s], [rad/s]
+  Vec3 force{}, torque{};        ///< mean over the step of all but the fluid [N], [N m]
+  bool operator==(const Balance&) const = default;
+};
+
 /// The interface mesh of one body, with its velocities. Arc a runs counter-clockwise from angle start[a] to
 /// end[a] [rad] on the circle; an edge runs from vertex a to vertex a + 1 (closed outline, body on the left).
 struct Interface {
@@ -94,6 +104,7 @@ struct Interface {
   Vec3 translation{}, spin{};          ///< [m/s], [rad/s]
   std::uint32_t points = 0;            ///< Gauss–Legendre points an arc or edge
   std::vector<double> velocities{};    ///< [m/s] x, y at these points, arc after arc
+  std::optional<Balance> balance{};  ///< to a fluid that can: it finds the velocity, those above are a guess
   std::size_t size() const { return radius > 0 ? start.size() : vertices.size() / 2; }
   bool operator==(const Interface&) const = default;
 };
@@ -110,6 +121,7 @@ struct Traction {
   Vec3 force{};                  ///< [N] on the body, with the buoyancy
   Vec3 torque{};                 ///< [N m] about the centre
   double arc_length = 0;         ///< [m] wanted next
+  Vec3 velocity{}, spin{};       ///< [m/s], [rad/s] that the fluid found, where it was sent a balance
 };
 struct FluidAdvanced {
   bool converged = false;
@@ -128,6 +140,10 @@ struct Load {
   Vec3 torque{};                       ///< [N m]
   std::vector<double> start{}, end{};  ///< arcs [rad], as in Interface
   std::vector<double> tractions{};     ///< λ [Pa], x, y of each arc
+  Vec3 velocity{}, spin{};             ///< at the end of the step, with which the fluid exerts this
+  double added_mass = 0;     ///< [kg] with another velocity V it exerts −added_mass (V − velocity)/Δt
+                             ///< more
+  double added_inertia = 0;  ///< [kg m²] likewise of the torque
 };
 struct DemAdvance {
   double time = 0;                   ///< [s] at the end of the step

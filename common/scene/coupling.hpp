@@ -9,8 +9,9 @@
 namespace fpi::scene {
 
 struct Coupling {
-  std::string acceleration = "aitken";
-  double relaxation = 0.5;           ///< ω: constant, or Aitken's first
+  std::string acceleration = "iqn-ils";
+  double relaxation = 1;  ///< ω: constant, or the first of the others
+  std::string response = "auto";
   double relative_tolerance = 1e-5;  ///< of velocity and force against their size in the step
   double absolute_velocity = 1e-10;  ///< [m/s]
   double absolute_force = 1e-12;     ///< [N]
@@ -18,15 +19,24 @@ struct Coupling {
   std::string predictor = "linear";
   double participant_timeout = 10;  ///< [s] without any sign of life
 
-  static constexpr std::array<std::string_view, 2> accelerations{"constant", "aitken"};
+  static constexpr std::array<std::string_view, 3> accelerations{"constant", "aitken", "iqn-ils"};
+  static constexpr std::array<std::string_view, 4> responses{"auto", "none", "analytic", "fluid"};
   static constexpr std::array<std::string_view, 2> predictors{"constant", "linear"};
 
   void declare(ParameterVisitor& v) {
-    v.choice(
-        {"acceleration", "", "how the next interface velocity is found: constant or Aitken's relaxation"},
-        acceleration, accelerations);
-    v.real({"relaxation", "", "the constant relaxation factor, or Aitken's first"}, relaxation,
+    v.choice({"acceleration", "",
+              "how the next interface velocity is found: constant or Aitken's relaxation, or interface "
+              "quasi-Newton "
+              "with least squares over the last steps"},
+             acceleration, accelerations);
+    v.real({"relaxation", "", "the constant relaxation factor, or the first of the others"}, relaxation,
            above_up_to(0, 2));
+    v.choice(
+        {"response", "",
+         "what is known of how the fluid resists a body's motion: nothing, that of a disc by itself in "
+         "Stokes flow, or all of it, where the fluid solves the bodies' balances with its own equations; "
+         "auto: the most that the programs can"},
+        response, responses);
     v.real({"relative_tolerance", "", "change of velocity and force in a sub-iteration, against their size"},
            relative_tolerance, above_up_to(0, 0.1));
     v.real({"absolute_velocity", "m/s", "a change of velocity below this counts as converged"},

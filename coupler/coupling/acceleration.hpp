@@ -1,6 +1,5 @@
 /// How the next iterate of a step is found from the last and its residual. Iterates are scaled by inertia, so
-/// that an acceleration sees plain vectors and nothing of bodies; others (IQN, a response operator) are
-/// further subclasses.
+/// that an acceleration sees plain vectors and nothing of bodies.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,13 +11,16 @@
 
 namespace fpi::coupling {
 
-/// Order of calls: begin_step, then next after each sub-iteration but the last, then accept or reject.
+/// Order of calls: begin_step, then next after each sub-iteration but the last, finish after one that
+/// converged, then accept or reject.
 class Acceleration {
  public:
   virtual ~Acceleration() = default;
   virtual void begin_step() {}
   /// The next iterate, from x and r = H(x) − x.
   virtual Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& residual) = 0;
+  /// The iterate that converged.
+  virtual void finish(const Eigen::VectorXd& /*x*/, const Eigen::VectorXd& /*residual*/) {}
   virtual void accept() {}
   virtual void reject() {}
   /// What the following steps depend on, for a checkpoint taken between steps.

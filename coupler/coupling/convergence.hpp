@@ -12,18 +12,22 @@ namespace fpi::coupling {
 
 /// The size of one residual.
 struct Residual {
-  double relative = 0;  ///< in the norm of inertia, against the quantity itself; 0 where the residual is 0
-  double largest = 0;   ///< the largest component [m/s] or [N]; spins count by R, torques by 1/R
+  double relative =
+      0;  ///< in the norm of inertia I, √(v·I v), against the quantity itself; 0 where the residual is 0
+  double largest = 0;  ///< the largest component [m/s] or [N]; spins count by R, torques by 1/R
 };
 
 class ConvergenceMeasure {
  public:
-  ConvergenceMeasure(const scene::Coupling& parameters, const RigidDofs& dofs)
-      : parameters_(parameters), inertia_root_(dofs.inertia_root()), lever_(dofs.lever()) {}
+  /// `inertia` I > 0 of each unknown, what the fluid adds included; `lever`: 1 of translations, R [m] of
+  /// spins.
+  ConvergenceMeasure(const scene::Coupling& parameters, const Eigen::VectorXd& inertia,
+                     const Eigen::VectorXd& lever)
+      : parameters_(parameters), inertia_root_(inertia.cwiseSqrt()), lever_(lever) {}
 
-  /// Of r = H(x) − x against H(x).
+  /// Of the difference r of the velocities that fluid and DEM have, against these.
   Residual velocity(const Eigen::VectorXd& residual, const Eigen::VectorXd& velocities) const;
-  /// Of M r/Δt, the force that would turn x into H(x) within the step, against the force of the fluid.
+  /// Of I r/Δt, the force that is missing to make them one within the step, against the force of the fluid.
   Residual force(const Eigen::VectorXd& residual, const Eigen::VectorXd& forces, double time_step) const;
 
   /// Both pass, each by its relative or by its absolute measure.

@@ -1,26 +1,22 @@
 #include "coupling/rigid_dofs.hpp"
 
-#include <cmath>
-
 #include "core/error.hpp"
 
 namespace fpi::coupling {
 
-RigidDofs::RigidDofs(std::span<const scene::Body> bodies, double thickness) {
+RigidDofs::RigidDofs(std::span<const scene::Body> bodies, double thickness) : thickness_(thickness) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].is_free()) bodies_.push_back(i);
   }
-  inertia_root_.resize(3 * static_cast<Eigen::Index>(bodies_.size()));
-  lever_.resize(inertia_root_.size());
+  inertia_.resize(3 * static_cast<Eigen::Index>(bodies_.size()));
+  lever_.resize(inertia_.size());
   Eigen::Index k = 0;
   for (const std::size_t i : bodies_) {
     const scene::Body& body = bodies[i];
     require(body.shape == "disc", "a plane fluid takes discs only; body \"{}\" is a {}", body.name,
             body.shape);
     const double mass = body.density * body.volume(body.radius, thickness);
-    require(mass > 0, "a free body needs a density > 0 kg/m³; body \"{}\" has {}", body.name, body.density);
-    const double root = std::sqrt(mass), spin_root = body.radius * std::sqrt(0.5 * mass);
-    inertia_root_.segment<3>(k) << root, root, spin_root;
+    inertia_.segment<3>(k) << mass, mass, 0.5 * mass * body.radius * body.radius;
     lever_.segment<3>(k) << 1, 1, body.radius;
     k += 3;
   }

@@ -1,6 +1,4 @@
-/// The unknowns of the coupling: velocity and spin of every free body, three a disc (v_x, v_y, ω). They are
-/// measured by inertia (√m, √I), so that a norm of velocities is a kinetic energy and one factor suits them
-/// all.
+/// The unknowns of the coupling: velocity and spin of every free body, three a disc (v_x, v_y, ω).
 #pragma once
 
 #include <Eigen/Core>
@@ -19,22 +17,24 @@ struct RigidLoad {
 
 class RigidDofs {
  public:
-  /// `thickness` of the plane scene [m]. Throws Error for a free body that is not a disc or that has no mass.
+  /// `thickness` of the plane scene [m]. Throws Error for a free body that is not a disc.
   RigidDofs(std::span<const scene::Body> bodies, double thickness);
 
-  Eigen::Index size() const { return inertia_root_.size(); }
+  Eigen::Index size() const { return inertia_.size(); }
+  double thickness() const { return thickness_; }                     ///< [m]
   const std::vector<std::size_t>& bodies() const { return bodies_; }  ///< the free ones
 
   Eigen::VectorXd velocities(std::span<const RigidMotion> motions) const;
   Eigen::VectorXd loads(std::span<const RigidLoad> loads) const;
   void set_velocities(const Eigen::VectorXd& velocities, std::span<RigidMotion> motions) const;
 
-  const Eigen::VectorXd& inertia_root() const { return inertia_root_; }  ///< √m [√kg], √I [√(kg m²)]
-  const Eigen::VectorXd& lever() const { return lever_; }  ///< 1 of translations, R [m] of spins
+  const Eigen::VectorXd& inertia() const { return inertia_; }  ///< m [kg], I [kg m²]; 0 of massless bodies
+  const Eigen::VectorXd& lever() const { return lever_; }      ///< 1 of translations, R [m] of spins
 
  private:
   std::vector<std::size_t> bodies_;
-  Eigen::VectorXd inertia_root_, lever_;
+  double thickness_;
+  Eigen::VectorXd inertia_, lever_;
 };
 
 }  // namespace fpi::coupling

@@ -7,36 +7,40 @@
 namespace fpi::coupling {
 
 StaggeredIteration::StaggeredIteration(const scene::Coupling& parameters, const RigidDofs& dofs)
-    : max_iterations_(static_cast<std::uint32_t>(parameters.max_iterations)),
-      scale_(dofs.inertia_root()),
-      measure_(parameters, dofs),
-      acceleration_(make_acceleration(parameters)) {}
+    : parameters_(parameters), lever_(dofs.lever()), acceleration_(make_acceleration(parameters)) {}
 
-StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorXd& guess, double time_step) {
+StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorXd& guess,
+                                     const Eigen::VectorXd& inertia, double time_step) {
+  const ConvergenceMeasure measure(parameters_, inertia, lever_);
+  const Eigen::VectorXd scale = inertia.cwiseSqrt();
   StepResult result;
   Eigen::VectorXd x = guess;
   acceleration_->begin_step();
-  while (result.sub_iterations < max_iterations_) {
+  while (result.sub_iterations < parameters_.max_iterations) {
     const Exchange exchange = map(x, result.sub_iterations++);
     if (!exchange.converged) {
       result.reason = exchange.reason;
       return result;
     }
-    if (!exchange.velocities.allFinite() || !exchange.forces.allFinite()) {
+    const Eigen::VectorXd& residual = exchange.residual;
+    if (!residual.allFinite() || !exchange.forces.allFinite()) {
       result.reason = "velocities or forces are no longer finite";
       return result;
     }
-    const Eigen::VectorXd residual = exchange.velocities - x;
-    result.velocity = measure_.velocity(residual, exchange.velocities);
-    result.force = measure_.force(residual, exchange.forces, time_step);
-    result.converged = measure_.converged(result.velocity, result.force);
-    if (result.converged) return result;
-    x = acceleration_->next(x.cwiseProduct(scale_), residual.cwiseProduct(scale_)).cwiseQuotient(scale_);
+    result.velocity = measure.velocity(residual, exchange.velocities);
+    result.force = measure.force(residual, exchange.forces, time_step);
+    result.converged = measure.converged(result.velocity, result.force);
+    const Eigen::VectorXd scaled = x.cwiseProduct(scale), scaled_residual = residual.cwiseProduct(scale);
+    if (result.converged) {
+      acceleration_->finish(scaled, scaled_residual);
+      return result;
+    }
+    x = acceleration_->next(scaled, scaled_residual).cwiseQuotient(scale);
   }
   result.reason = fmt::format(
       "the coupling did not converge in {} sub-iterations (residual of velocity {:.2g}, of force {:.2g}, "
       "relative)",
-      max_iterations_, result.velocity.relative, result.force.relative);
+      parameters_.max_iterations, result.velocity.relative, result.force.relative);
   return result;
 }
 

@@ -1,6 +1,6 @@
-/// The implicit staggered iteration of one step: find x with H(x) = x, where H sends the velocities x to the
-/// fluid, the forces that come back to the DEM, and returns its velocities. H is any function, so that this
-/// runs in tests against maps with a known fixed point.
+/// The implicit staggered iteration of one step: find x for which fluid and DEM move the bodies alike. What x
+/// stands for is the map's affair (velocities that the fluid is given, or what the DEM adds to its own
+/// balance), so that this runs in tests against maps with a known fixed point.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,10 +18,11 @@ namespace fpi::coupling {
 struct Exchange {
   bool converged = false;      ///< both solved their part
   std::string reason;          ///< why not
-  Eigen::VectorXd velocities;  ///< H(x)
-  Eigen::VectorXd forces;      ///< that moved the bodies so
+  Eigen::VectorXd residual;    ///< r: x + r would be next in the plain iteration
+  Eigen::VectorXd velocities;  ///< of the bodies
+  Eigen::VectorXd forces;      ///< of the fluid on them
 };
-using CoupledMap = std::function<Exchange(const Eigen::VectorXd& velocities, std::uint32_t sub_iteration)>;
+using CoupledMap = std::function<Exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration)>;
 
 struct StepResult {
   bool converged = false;
@@ -34,8 +35,11 @@ class StaggeredIteration {
  public:
   StaggeredIteration(const scene::Coupling& parameters, const RigidDofs& dofs);
 
-  /// Iterates a step of size Δt [s] from `guess`. A guess that comes true takes a single exchange.
-  StepResult solve(const CoupledMap& map, const Eigen::VectorXd& guess, double time_step);
+  /// Iterates a step of size Δt [s] from `guess`, in units of velocity. `inertia` > 0 measures the unknowns,
+  /// so that a norm is a kinetic energy and one factor suits them all. A guess that comes true takes a single
+  /// exchange.
+  StepResult solve(const CoupledMap& map, const Eigen::VectorXd& guess, const Eigen::VectorXd& inertia,
+                   double time_step);
 
   /// The step counts, or does not.
   void accept() { acceleration_->accept(); }
@@ -45,9 +49,8 @@ class StaggeredIteration {
   void set_state(std::span<const double> state) { acceleration_->set_state(state); }
 
  private:
-  std::uint32_t max_iterations_;
-  Eigen::VectorXd scale_;
-  ConvergenceMeasure measure_;
+  scene::Coupling parameters_;
+  Eigen::VectorXd lever_;
   std::unique_ptr<Acceleration> acceleration_;
 };
 

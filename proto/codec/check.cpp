@@ -74,6 +74,11 @@ void arcs_in_order(const Place& at, const std::vector<double>& start, const std:
            end[a] - start[a]);
 }
 
+void rules(const Place& at, const Balance& balance) {
+  demand(balance.mass >= 0, at, "mass", ">= 0 kg", balance.mass);
+  demand(balance.inertia >= 0, at, "inertia", ">= 0 kg m2", balance.inertia);
+}
+
 void rules(const Place& at, const Interface& mesh) {
   demand(mesh.radius >= 0, at, "radius", ">= 0 m", mesh.radius);
   arcs_in_order(at, mesh.start, mesh.end);
@@ -110,6 +115,8 @@ void rules(const Place& at, const Load& load) {
   arcs_in_order(at, load.start, load.end);
   demand(load.tractions.size() == 2 * load.start.size(), at, "tractions",
          fmt::format("two numbers for each of {} arcs", load.start.size()), load.tractions.size());
+  demand(load.added_mass >= 0, at, "added_mass", ">= 0 kg", load.added_mass);
+  demand(load.added_inertia >= 0, at, "added_inertia", ">= 0 kg m2", load.added_inertia);
 }
 
 void rules(const Place& at, const DemAdvance& advance) {
@@ -190,6 +197,8 @@ void walk(const Place&, const Bytes&) {}
 
 template <class T>
 void walk(const Place& at, const std::vector<T>& list);
+template <class T>
+void walk(const Place& at, const std::optional<T>& value);
 
 template <std::size_t n>
 void walk(const Place& at, const std::array<double, n>& list) {
@@ -201,6 +210,11 @@ requires std::is_class_v<T>
 void walk(const Place& at, const T& owner) {
   for_each_member(owner, [&](const char* member, const auto& value) { walk(Place{&at, member}, value); });
   rules(at, owner);
+}
+
+template <class T>
+void walk(const Place& at, const std::optional<T>& value) {
+  if (value) walk(at, *value);
 }
 
 template <class T>

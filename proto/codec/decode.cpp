@@ -66,6 +66,11 @@ Motion unpack(Reader&, const wire::Motion* w) {
           unpack(w->velocity()),
           unpack(w->spin())};
 }
+std::optional<Balance> unpack(const wire::Balance* w) {
+  if (!w) return std::nullopt;
+  return Balance{w->mass(),         w->inertia(),       unpack(w->velocity()),
+                 unpack(w->spin()), unpack(w->force()), unpack(w->torque())};
+}
 Interface unpack(Reader& r, const wire::Interface* w) {
   return {.body = w->body(),
           .centre = unpack(w->centre()),
@@ -77,14 +82,17 @@ Interface unpack(Reader& r, const wire::Interface* w) {
           .translation = unpack(w->translation()),
           .spin = unpack(w->spin()),
           .points = w->points(),
-          .velocities = r.numbers(w->velocities())};
+          .velocities = r.numbers(w->velocities()),
+          .balance = unpack(w->balance())};
 }
 Traction unpack(Reader& r, const wire::Traction* w) {
-  return {w->body(), r.numbers(w->values()), unpack(w->force()), unpack(w->torque()), w->arc_length()};
+  return {w->body(),       r.numbers(w->values()), unpack(w->force()), unpack(w->torque()),
+          w->arc_length(), unpack(w->velocity()),  unpack(w->spin())};
 }
 Load unpack(Reader& r, const wire::Load* w) {
-  return {w->body(),           unpack(w->force()),       unpack(w->torque()), r.numbers(w->start()),
-          r.numbers(w->end()), r.numbers(w->tractions())};
+  return {w->body(),           unpack(w->force()),        unpack(w->torque()),   r.numbers(w->start()),
+          r.numbers(w->end()), r.numbers(w->tractions()), unpack(w->velocity()), unpack(w->spin()),
+          w->added_mass(),     w->added_inertia()};
 }
 File unpack(Reader& r, const wire::File* w) { return {r.text(w->name()), r.numbers(w->bytes())}; }
 Field unpack(Reader& r, const wire::Field* w) {

@@ -36,20 +36,24 @@ auto pack(Builder& b, const std::pair<std::string, double>& figure) {
   return wire::CreateFigure(b, text(b, figure.first), figure.second);
 }
 auto pack(Builder& b, const File& m) { return wire::CreateFile(b, text(b, m.name), numbers(b, m.bytes)); }
+wire::Balance pack(const Balance& m) {
+  return {m.mass, m.inertia, pack(m.velocity), pack(m.spin), pack(m.force), pack(m.torque)};
+}
 auto pack(Builder& b, const Interface& m) {
+  const wire::Balance balance = m.balance ? pack(*m.balance) : wire::Balance();
   const wire::Vec3 centre = pack(m.centre), translation = pack(m.translation), spin = pack(m.spin);
   return wire::CreateInterface(b, m.body, &centre, m.radius, numbers(b, m.start), numbers(b, m.end),
                                numbers(b, m.vertices), m.rigid, &translation, &spin, m.points,
-                               numbers(b, m.velocities));
+                               numbers(b, m.velocities), m.balance ? &balance : nullptr);
 }
 auto pack(Builder& b, const Traction& m) {
-  const wire::Vec3 force = pack(m.force), torque = pack(m.torque);
-  return wire::CreateTraction(b, m.body, numbers(b, m.values), &force, &torque, m.arc_length);
+  const wire::Vec3 force = pack(m.force), torque = pack(m.torque), v = pack(m.velocity), w = pack(m.spin);
+  return wire::CreateTraction(b, m.body, numbers(b, m.values), &force, &torque, m.arc_length, &v, &w);
 }
 auto pack(Builder& b, const Load& m) {
-  const wire::Vec3 force = pack(m.force), torque = pack(m.torque);
+  const wire::Vec3 force = pack(m.force), torque = pack(m.torque), v = pack(m.velocity), w = pack(m.spin);
   return wire::CreateLoad(b, m.body, &force, &torque, numbers(b, m.start), numbers(b, m.end),
-                          numbers(b, m.tractions));
+                          numbers(b, m.tractions), &v, &w, m.added_mass, m.added_inertia);
 }
 auto pack(Builder& b, const Field& m) {
   return wire::CreateField(b, text(b, m.name), m.on_cells, m.components, numbers(b, m.values));

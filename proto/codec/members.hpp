@@ -66,6 +66,12 @@ inline constexpr auto members_of<Motion> = std::tuple{
     member("spin", &Motion::spin),
 };
 template <>
+inline constexpr auto members_of<Balance> = std::tuple{
+    member("mass", &Balance::mass),         member("inertia", &Balance::inertia),
+    member("velocity", &Balance::velocity), member("spin", &Balance::spin),
+    member("force", &Balance::force),       member("torque", &Balance::torque),
+};
+template <>
 inline constexpr auto members_of<Interface> = std::tuple{
     member("body", &Interface::body),
     member("centre", &Interface::centre),
@@ -78,6 +84,7 @@ inline constexpr auto members_of<Interface> = std::tuple{
     member("spin", &Interface::spin),
     member("points", &Interface::points),
     member("velocities", &Interface::velocities),
+    member("balance", &Interface::balance),
 };
 template <>
 inline constexpr auto members_of<FluidAdvance> = std::tuple{
@@ -93,6 +100,8 @@ inline constexpr auto members_of<Traction> = std::tuple{
     member("force", &Traction::force),
     member("torque", &Traction::torque),
     member("arc_length", &Traction::arc_length),
+    member("velocity", &Traction::velocity),
+    member("spin", &Traction::spin),
 };
 template <>
 inline constexpr auto members_of<FluidAdvanced> = std::tuple{
@@ -106,8 +115,16 @@ inline constexpr auto members_of<FluidAdvanced> = std::tuple{
 };
 template <>
 inline constexpr auto members_of<Load> = std::tuple{
-    member("body", &Load::body),   member("force", &Load::force), member("torque", &Load::torque),
-    member("start", &Load::start), member("end", &Load::end),     member("tractions", &Load::tractions),
+    member("body", &Load::body),
+    member("force", &Load::force),
+    member("torque", &Load::torque),
+    member("start", &Load::start),
+    member("end", &Load::end),
+    member("tractions", &Load::tractions),
+    member("velocity", &Load::velocity),
+    member("spin", &Load::spin),
+    member("added_mass", &Load::added_mass),
+    member("added_inertia", &Load::added_inertia),
 };
 template <>
 inline constexpr auto members_of<DemAdvance> = std::tuple{

@@ -25,7 +25,7 @@ std::vector<T> from_bytes(const proto::Bytes& bytes) {
   return values;
 }
 
-/// F_y = −drag v − added_mass (v − v_n)/Δt + buoyancy for every body.
+/// F_y = −drag v − added_mass (v − v_n)/Δt + buoyancy for every body; v is given, or found from a balance.
 class FakeFluid : public proto::FluidParticipant {
  public:
   double drag = 2, added_mass = 3, buoyancy = 0.5, arc_length = 0.2;
@@ -57,13 +57,19 @@ class FakeFluid : public proto::FluidParticipant {
                                 .time_error_order = stiffness > 0 ? 3.0 : 0.0};
     tried_.clear();
     for (const proto::Interface& body : message.interfaces) {
-      const double v = body.translation[1], before = velocities_[body.body];
-      const double inertia = message.time_step > 0 ? added_mass * (v - before) / message.time_step : 0;
+      const double before = velocities_[body.body], rate = message.time_step > 0 ? 1 / message.time_step : 0;
+      double v = body.translation[1];
+      if (const auto& b = body.balance)
+        v = (rate * (b->mass * b->velocity[1] + added_mass * before) + b->force[1] + buoyancy) /
+            (rate * (b->mass + added_mass) + drag);
+      const double inertia = added_mass * (v - before) * rate;
       answer.tractions.push_back({.body = body.body,
                                   .values = std::vector<double>(2 * body.size(), v),
                                   .force = {0, buoyancy - drag * v - inertia, 0},
                                   .torque = {},
-                                  .arc_length = arc_length});
+                                  .arc_length = arc_length,
+                                  .velocity = {body.translation[0], v, 0},
+                                  .spin = body.spin});
       tried_.push_back(v);
     }
     answer.tractions.resize(answer.tractions.size() - missing_tractions);
@@ -100,7 +106,7 @@ class FakeFluid : public proto::FluidParticipant {
   std::vector<double> velocities_, tried_;
 };
 
-/// v_{n+1} = v_n + Δt (F/m + g), x by the trapezoidal rule.
+/// v_{n+1} = v_n + Δt (F + m g)/m, x by the trapezoidal rule; inertia that the fluid adds counts.
 class FakeDem : public proto::DemParticipant {
  public:
   FakeDem(double mass, double gravity, std::vector<proto::Motion> motions)
@@ -117,12 +123,14 @@ class FakeDem : public proto::DemParticipant {
     asked.push_back(message);
     tried_ = motions_;
     for (proto::Motion& motion : tried_) {
-      double acceleration = gravity_;
-      for (const proto::Load& load : message.loads) {
-        if (load.body == motion.body) acceleration += load.force[1] / mass_;
-      }
       const double before = motion.velocity[1];
-      motion.velocity[1] += message.time_step * acceleration;
+      double force = mass_ * gravity_, mass = mass_;
+      for (const proto::Load& load : message.loads) {
+        if (load.body != motion.body) continue;
+        force += load.force[1] + load.added_mass * (load.velocity[1] - before) / message.time_step;
+        mass += load.added_mass;
+      }
+      motion.velocity[1] += message.time_step * force / mass;
       motion.position[1] += 0.5 * message.time_step * (before + motion.velocity[1]);
     }
     return {.converged = true, .reason = "", .motions = tried_};

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "coupling/interface_mesh.hpp"
 #include "coupling/prescribed_motion.hpp"
+#include "coupling/response.hpp"
 #include "coupling/rigid_dofs.hpp"
 
 namespace fpi::coupling {
@@ -114,23 +115,32 @@ TEST(RigidDofs, velocities_go_out_and_come_back) {
   EXPECT_TRUE(motions[1].velocity.isZero(0));
 }
 
-TEST(RigidDofs, are_scaled_by_mass_and_inertia) {
+TEST(RigidDofs, have_mass_and_inertia_of_the_scenes_thickness) {
   const std::vector<scene::Body> bodies{disc()};
   const RigidDofs dofs(bodies, 0.1);
   const double mass = 3 * std::numbers::pi * 0.25 * 0.1;
-  EXPECT_NEAR(dofs.inertia_root()[0], std::sqrt(mass), 1e-15);
-  EXPECT_NEAR(dofs.inertia_root()[2], std::sqrt(0.5 * mass * 0.25), 1e-15);
+  EXPECT_NEAR(dofs.inertia()[0], mass, 1e-15);
+  EXPECT_NEAR(dofs.inertia()[2], 0.5 * mass * 0.25, 1e-15);
 }
 
-TEST(RigidDofs, a_free_body_without_mass_is_refused_by_name) {
-  std::vector<scene::Body> bodies{disc()};
-  bodies[0].density = 0;
-  try {
-    RigidDofs(bodies, 1);
-    FAIL() << "it was taken";
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("\"disc\""), std::string::npos) << e.what();
-  }
+/// Stokes' layer: a fast start drags the displaced mass along and a thin layer, a slow one drags ever more.
+TEST(AddedInertia, of_a_disc_is_its_displaced_mass_at_once_and_more_with_time) {
+  const double rho = 2, mu = 0.3, R = 0.1, displaced = rho * std::numbers::pi * R * R;
+  const double fast = 1e-9;
+  const double layer = std::sqrt(mu * fast / rho);  // δ: 4/z = 4 δ/R
+  EXPECT_NEAR(added_inertia(rho, mu, R, fast, fast).mass, displaced * (1 + 4 * layer / R), 1e-6 * displaced);
+  EXPECT_NEAR(added_inertia(rho, mu, R, fast, fast).inertia,
+              2 * std::numbers::pi * mu * R * R * fast * R / layer, 1e-12);
+  EXPECT_GT(added_inertia(rho, mu, R, 1, 1).mass, 10 * displaced);
+}
+
+TEST(AddedInertia, is_continuous_where_the_bessel_functions_go_over_into_their_series) {
+  const double rho = 1, mu = 1, R = 50;  // z = R/√τ
+  const AddedInertia below = added_inertia(rho, mu, R, 1 + 1e-9, 1),
+                     above = added_inertia(rho, mu, R, 1 - 1e-9, 1);
+  EXPECT_NEAR(below.mass / above.mass, 1, 1e-8);
+  EXPECT_NEAR(below.inertia / above.inertia, 1, 1e-8);
+  EXPECT_TRUE(std::isfinite(added_inertia(rho, mu, R, 1e-12, 1).mass));
 }
 
 TEST(PrescribedMotion, of_a_fixed_body_is_rest) {

@@ -28,7 +28,8 @@ struct LinearMap {
   Exchange operator()(const Eigen::VectorXd& x, std::uint32_t sub_iteration) {
     EXPECT_EQ(sub_iteration, calls++);
     const Eigen::VectorXd image = fixed_point + slopes.cwiseProduct(x - fixed_point);
-    return {.converged = true, .reason = "", .velocities = image, .forces = 10 * image};
+    return {
+        .converged = true, .reason = "", .residual = image - x, .velocities = image, .forces = 10 * image};
   }
 };
 
@@ -39,7 +40,9 @@ struct Problem {
   Eigen::VectorXd guess = Eigen::VectorXd::Zero(3);
   double time_step = 0.1;
 
-  StepResult solve() { return StaggeredIteration(parameters, dofs).solve(std::ref(map), guess, time_step); }
+  StepResult solve() {
+    return StaggeredIteration(parameters, dofs).solve(std::ref(map), guess, dofs.inertia(), time_step);
+  }
 };
 
 TEST(StaggeredIteration, a_constant_map_takes_one_relaxed_iterate_and_a_verifying_one) {
@@ -67,7 +70,8 @@ TEST(StaggeredIteration, converges_to_the_fixed_point_within_the_tolerance) {
     last = x;
     return p.map(x, k);
   };
-  const StepResult result = StaggeredIteration(p.parameters, p.dofs).solve(map, p.guess, p.time_step);
+  const StepResult result =
+      StaggeredIteration(p.parameters, p.dofs).solve(map, p.guess, p.dofs.inertia(), p.time_step);
   EXPECT_TRUE(result.converged);
   EXPECT_LT((last - p.map.fixed_point).norm(), 1e-7);
 }
@@ -90,21 +94,46 @@ TEST(StaggeredIteration, added_mass_makes_the_plain_iteration_diverge_and_aitken
 
 TEST(StaggeredIteration, aitken_solves_a_map_with_one_slope_in_three_exchanges) {
   Problem p;
+  p.parameters.acceleration = "aitken";
+  p.parameters.relaxation = 0.5;
   p.map.slopes = Eigen::Vector3d::Constant(-4);
   const StepResult result = p.solve();
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.sub_iterations, 3u);
 }
 
+TEST(StaggeredIteration, iqn_solves_a_linear_map_in_as_many_iterates_as_it_has_slopes_and_two) {
+  Problem p;
+  p.map.slopes = Eigen::Vector3d(-1.6, -40, 0.7);
+  const StepResult result = p.solve();
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.sub_iterations, 5u);
+}
+
+/// The next step of the same map starts with all that the last one learnt.
+TEST(StaggeredIteration, iqn_takes_two_exchanges_for_a_map_that_it_knows) {
+  Problem p;
+  p.map.slopes = Eigen::Vector3d(-1.6, -40, 0.7);
+  StaggeredIteration iteration(p.parameters, p.dofs);
+  iteration.solve(std::ref(p.map), p.guess, p.dofs.inertia(), p.time_step);
+  iteration.accept();
+  p.map.calls = 0;
+  p.map.fixed_point = Eigen::Vector3d(3, 1, -7);
+  EXPECT_EQ(iteration.solve(std::ref(p.map), p.guess, p.dofs.inertia(), p.time_step).sub_iterations, 2u);
+}
+
 TEST(StaggeredIteration, the_same_map_and_guess_give_the_same_bits) {
   Problem p;
   p.map.slopes = Eigen::Vector3d(-1.6, -0.5, -0.3);
   StaggeredIteration iteration(p.parameters, p.dofs);
+  iteration.solve(std::ref(p.map), p.guess, p.dofs.inertia(), p.time_step);
+  iteration.accept();
+  p.map.calls = 0;
   const std::vector<double> before = iteration.state();
-  const StepResult first = iteration.solve(std::ref(p.map), p.guess, p.time_step);
+  const StepResult first = iteration.solve(std::ref(p.map), p.guess, p.dofs.inertia(), p.time_step);
   iteration.set_state(before);
   p.map.calls = 0;
-  const StepResult again = iteration.solve(std::ref(p.map), p.guess, p.time_step);
+  const StepResult again = iteration.solve(std::ref(p.map), p.guess, p.dofs.inertia(), p.time_step);
   EXPECT_EQ(first.sub_iterations, again.sub_iterations);
   EXPECT_EQ(first.velocity.relative, again.velocity.relative);
   EXPECT_EQ(first.force.relative, again.force.relative);
@@ -124,9 +153,10 @@ TEST(StaggeredIteration, does_not_exceed_max_iterations_and_says_so) {
 TEST(StaggeredIteration, a_participant_that_does_not_converge_ends_the_step_with_its_reason) {
   Problem p;
   const CoupledMap map = [](const Eigen::VectorXd& x, std::uint32_t) {
-    return Exchange{.converged = false, .reason = "singular", .velocities = x, .forces = x};
+    return Exchange{.converged = false, .reason = "singular", .residual = x, .velocities = x, .forces = x};
   };
-  const StepResult result = StaggeredIteration(p.parameters, p.dofs).solve(map, p.guess, p.time_step);
+  const StepResult result =
+      StaggeredIteration(p.parameters, p.dofs).solve(map, p.guess, p.dofs.inertia(), p.time_step);
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.reason, "singular");
   EXPECT_EQ(result.sub_iterations, 1u);
@@ -136,22 +166,24 @@ TEST(StaggeredIteration, velocities_that_are_not_finite_end_the_step) {
   Problem p;
   const CoupledMap map = [](const Eigen::VectorXd& x, std::uint32_t) {
     const Eigen::VectorXd bad = Eigen::VectorXd::Constant(x.size(), std::numeric_limits<double>::infinity());
-    return Exchange{.converged = true, .reason = "", .velocities = bad, .forces = x};
+    return Exchange{.converged = true, .reason = "", .residual = bad, .velocities = bad, .forces = x};
   };
-  EXPECT_FALSE(StaggeredIteration(p.parameters, p.dofs).solve(map, p.guess, p.time_step).converged);
+  EXPECT_FALSE(
+      StaggeredIteration(p.parameters, p.dofs).solve(map, p.guess, p.dofs.inertia(), p.time_step).converged);
 }
 
 TEST(StaggeredIteration, without_unknowns_the_first_exchange_is_the_last) {
   const RigidDofs none({}, 1);
   LinearMap map{.fixed_point = Eigen::VectorXd(0), .slopes = Eigen::VectorXd(0)};
-  const StepResult result = StaggeredIteration({}, none).solve(std::ref(map), Eigen::VectorXd(0), 0.1);
+  const StepResult result =
+      StaggeredIteration({}, none).solve(std::ref(map), Eigen::VectorXd(0), none.inertia(), 0.1);
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.sub_iterations, 1u);
 }
 
 TEST(ConvergenceMeasure, both_velocity_and_force_must_pass) {
   const RigidDofs dofs(discs(1), 1);
-  const ConvergenceMeasure measure({}, dofs);
+  const ConvergenceMeasure measure({}, dofs.inertia(), dofs.lever());
   const Residual passes{.relative = 1e-6, .largest = 1}, fails{.relative = 1e-4, .largest = 1};
   EXPECT_TRUE(measure.converged(passes, passes));
   EXPECT_FALSE(measure.converged(fails, passes));
@@ -160,14 +192,14 @@ TEST(ConvergenceMeasure, both_velocity_and_force_must_pass) {
 
 TEST(ConvergenceMeasure, a_change_below_the_absolute_limit_passes_however_large_it_is_relatively) {
   const RigidDofs dofs(discs(1), 1);
-  const ConvergenceMeasure measure({}, dofs);
+  const ConvergenceMeasure measure({}, dofs.inertia(), dofs.lever());
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(3), tiny = Eigen::Vector3d(1e-13, 0, 0);
   EXPECT_TRUE(measure.converged(measure.velocity(tiny, tiny), measure.force(tiny, rest, 1)));
 }
 
 TEST(ConvergenceMeasure, is_a_norm_of_kinetic_energy) {
   const RigidDofs dofs(discs(2), 1);
-  const ConvergenceMeasure measure({}, dofs);
+  const ConvergenceMeasure measure({}, dofs.inertia(), dofs.lever());
   const double m = 2 * std::numbers::pi * 0.25, inertia = 0.5 * m * 0.25;
   Eigen::VectorXd residual = Eigen::VectorXd::Zero(6), velocities = residual;
   residual << 3, 0, 0, 0, 0, 0;
@@ -179,7 +211,7 @@ TEST(ConvergenceMeasure, is_a_norm_of_kinetic_energy) {
 
 TEST(ConvergenceMeasure, of_force_is_the_force_that_is_missing) {
   const RigidDofs dofs(discs(1), 1);
-  const ConvergenceMeasure measure({}, dofs);
+  const ConvergenceMeasure measure({}, dofs.inertia(), dofs.lever());
   const double m = 2 * std::numbers::pi * 0.25, inertia = 0.5 * m * 0.25, time_step = 0.1;
   const Residual translation =
       measure.force(Eigen::Vector3d(0, 2, 0), Eigen::Vector3d(0, 40 * m, 0), time_step);

@@ -24,26 +24,39 @@ Interface arcs() {
 }
 
 Interface outline() {
-  return {.body = 5, .vertices = {0, 0, 1, 0, 0, 1}, .points = 1, .velocities = {1, 2, 3, 4, 5, 6}};
+  return {.body = 5,
+          .vertices = {0, 0, 1, 0, 0, 1},
+          .points = 1,
+          .velocities = {1, 2, 3, 4, 5, 6},
+          .balance = Balance{1, 2, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}, {12, 13, 14}}};
 }
 
 std::vector<Envelope> all() {
   const Figures figures{{"unknowns", 1234}, {"factor", 0.25}};
-  const Traction traction{
-      .body = 1, .values = {1, -2, 3, -4}, .force = {5, 6, 7}, .torque = {8, 9, 10}, .arc_length = 0.1};
+  const Traction traction{.body = 1,
+                          .values = {1, -2, 3, -4},
+                          .force = {5, 6, 7},
+                          .torque = {8, 9, 10},
+                          .arc_length = 0.1,
+                          .velocity = {11, 12, 13},
+                          .spin = {14, 15, 16}};
   const Load load{.body = 2,
                   .force = {1, 2, 3},
                   .torque = {4, 5, 6},
                   .start = {0, 1},
                   .end = {1, 2},
-                  .tractions = {7, 8, 9, 10}};
+                  .tractions = {7, 8, 9, 10},
+                  .velocity = {11, 12, 13},
+                  .spin = {14, 15, 16},
+                  .added_mass = 17,
+                  .added_inertia = 18};
   Fields fields{.time = 0.5, .points = std::vector<double>(18, 0.25), .cells = {0, 1, 2, 3, 4, 5}};
   fields.fields = {{"velocity", false, 2, std::vector<double>(12, 1.5)}, {"active", true, 1, {1}}};
   fields.boundaries = {{"wall", std::vector<double>(9, 0.5), {0, 2, 1}, 2, {1, 2, 3, 4, 5, 6}}};
   fields.profiles = {{"middle", {0, 1, 2}, {}, 1, {7}}};
 
   const std::vector<Message> messages{
-      Hello{2, "fluid", "toy", "0.1.0", {"checkpoint", "fields"}, 0xffffffffffffffff, 7},
+      Hello{3, "fluid", "toy", "0.1.0", {"checkpoint", "fields"}, 0xffffffffffffffff, 7},
       Welcome{0xfedcba9876543210, 0.25},
       Refusal{"the role is taken"},
       Configure{"[fluid]\ndensity = 1 # µ\n", {{"channel.msh", {1, 2, 3, 255}}}, {9, 8}},
