@@ -30,7 +30,9 @@ Problem make_problem(const scene::Scene& scene, const std::vector<proto::File>& 
 
 std::vector<Load> read_loads(const std::vector<proto::Load>& messages) {
   std::vector<Load> loads;
-  for (const auto& m : messages) loads.push_back({m.body, to_eigen(m.force), to_eigen(m.torque)});
+  for (const auto& m : messages)
+    loads.push_back({m.body, to_eigen(m.force), to_eigen(m.torque), to_eigen(m.velocity), to_eigen(m.spin),
+                     m.added_mass, m.added_inertia});
   return loads;
 }
 

@@ -22,7 +22,6 @@ inline constexpr std::array<std::string_view, 3> motions{"free", "fixed", "presc
 template <class Group>
 void declare_motion(ParameterVisitor& v, Group& g) {
   const std::size_t axes = g.axes(), spins = g.is_plane() ? 1 : 3;
-  v.real({"density", "kg/m³", "density; needed where it moves freely"}, g.density, not_negative());
   g.velocity.resize(axes);  // the defaults, zero, take the length that the shape asks for
   g.spin.resize(spins);
   v.reals({"velocity", "m/s", "velocity of the centre at the start"}, g.velocity, {axes, axes}, any_number());
@@ -30,6 +29,9 @@ void declare_motion(ParameterVisitor& v, Group& g) {
           {spins, spins}, any_number());
   v.choice({"motion", "", "free: moved by the DEM; fixed: held; prescribed: moves by formulas of t"},
            g.motion, motions);
+  const bool needed = g.motion == "free" && g.shape != "polygon";  // a free polygon is refused as such
+  v.real({"density", "kg/m³", "density; 0 only where it moves freely in a fluid", needed}, g.density,
+         not_negative());
   v.formulas({"prescribed_velocity", "m/s", "velocity as formulas of t, for motion = \"prescribed\""},
              g.prescribed_velocity, {0, 3});
   v.formula({"prescribed_spin", "rad/s", "spin about z as a formula of t, for motion = \"prescribed\""},
@@ -40,9 +42,6 @@ void declare_motion(ParameterVisitor& v, Group& g) {
   v.require(g.motion == "prescribed" || (g.prescribed_velocity.empty() && g.prescribed_spin == "0"),
             g.prescribed_velocity.empty() ? "prescribed_spin" : "prescribed_velocity",
             "goes with motion = \"prescribed\" only: remove it or change the motion");
-  // A free polygon is refused as such.
-  v.require(g.motion != "free" || g.shape == "polygon" || g.density > 0, "density",
-            "must be > 0 kg/m³ for a body that moves freely (motion = \"free\")");
 }
 
 /// Whether formulas carry it along.

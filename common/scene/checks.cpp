@@ -96,7 +96,11 @@ void check_wall(const Wall& wall, std::size_t axes, const std::string& all_axes,
 template <class Group>
 void check_shapes(std::string_view list, const std::vector<Group>& groups, bool plane, std::string_view first,
                   const Scene& scene, ParameterVisitor& v) {
+  // The DEM's part of a scene knows the fluid by its viscosity only.
+  const bool has_liquid = scene.fluid || (scene.dem && scene.dem->lubrication.viscosity);
   for (std::size_t i = 0; i < groups.size(); ++i) {
+    v.require(groups[i].motion != "free" || groups[i].density > 0 || has_liquid, key_of(list, i, "density"),
+              "must be > 0 kg/m³ of a free body where there is no fluid to move");
     v.require(groups[i].is_plane() == plane, key_of(list, i, "shape"),
               fmt::format("must go with the first body's, \"{}\": a scene is plane or in space", first));
     v.require(!scene.fluid || groups[i].is_plane(), key_of(list, i, "shape"),

@@ -102,7 +102,7 @@ Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3
   const auto& [normal, gap] = near.at;
   const double Ra = bodies.radius[near.a];
   if (near.wall())
-    return {bodies.mass[near.a], Ra, -gap, (velocity[near.a] - near.frame.velocity).dot(normal)};
+    return {1 / bodies.inverse_mass[near.a], Ra, -gap, (velocity[near.a] - near.frame.velocity).dot(normal)};
   const double Rb = bodies.radius[near.b];
   return {1 / (bodies.inverse_mass[near.a] + bodies.inverse_mass[near.b]), Ra * Rb / (Ra + Rb), -gap,
           (velocity[near.a] - velocity[near.b]).dot(normal)};

@@ -32,14 +32,15 @@ void add_body(const Problem& problem, const scene::Body& body, Bodies& bodies) {
   const double R = body.radius;
   require(std::isfinite(R) && R > 0, "body {} must have a radius > 0 m; got {}", body.name, R);
   const double mass = body.density * body.volume(R, problem.thickness);
-  require(!body.is_free() || (std::isfinite(mass) && mass > 0),
-          "free body {} must have a mass > 0 kg; got {} kg from density {} kg/m³: give it a density, or make "
+  require(!body.is_free() || (std::isfinite(mass) && mass >= 0),
+          "free body {} must have a mass ≥ 0 kg; got {} kg from density {} kg/m³: give it a density, or make "
           "it fixed or prescribed",
           body.name, mass, body.density);
   const double inertia = (body.shape == "disc" ? 0.5 : 0.4) * mass * R * R;
   bodies.name.push_back(body.name);
   bodies.radius.push_back(R);
   bodies.mass.push_back(mass);
+  bodies.inertia.push_back(inertia);
   bodies.inverse_mass.push_back(body.is_free() ? 1 / mass : 0);
   bodies.inverse_inertia.push_back(body.is_free() && body.rotates ? 1 / inertia : 0);
   bodies.material.push_back(material_index(problem, "body " + body.name, body.material));

@@ -31,12 +31,18 @@ struct Problem {
 struct Bodies {
   std::vector<std::string> name;
   std::vector<double> radius;           ///< R [m]
-  std::vector<double> mass;             ///< [kg]
-  std::vector<double> inverse_mass;     ///< [1/kg], 0 where not free
-  std::vector<double> inverse_inertia;  ///< [1/(kg m²)], 0 where not free to turn
+  std::vector<double> mass, inertia;    ///< its own [kg], [kg m²]
+  std::vector<double> inverse_mass;     ///< [1/kg], with what a fluid adds; 0 where not free
+  std::vector<double> inverse_inertia;  ///< [1/(kg m²)], likewise; 0 where not free to turn
   std::vector<std::size_t> material;
   std::size_t size() const { return radius.size(); }
   bool is_free(std::size_t i) const { return inverse_mass[i] > 0; }
+  /// Has a free body move with its own inertia and this.
+  void set_added(std::size_t i, double added_mass, double added_inertia) {
+    if (!is_free(i)) return;
+    inverse_mass[i] = 1 / (mass[i] + added_mass);
+    if (inverse_inertia[i] > 0) inverse_inertia[i] = 1 / (inertia[i] + added_inertia);
+  }
 };
 
 /// Motion of every body.

@@ -45,6 +45,17 @@ Vec3 turn_between(const Quaternion& from, const Quaternion& to, const Vec3& expe
   return (turn.angle() + turns * whole) * turn.axis();
 }
 
+void check_load(const Model& model, const Load& load) {
+  check_body(model, load.body, "load");
+  require(
+      load.force.allFinite() && load.torque.allFinite() && load.velocity.allFinite() && load.spin.allFinite(),
+      "the load of body {} must be finite", model.bodies.name[load.body]);
+  require(
+      load.added_mass >= 0 && load.added_inertia >= 0 && std::isfinite(load.added_mass + load.added_inertia),
+      "the inertia added to body {} must be ≥ 0; got {} kg and {} kg m²", model.bodies.name[load.body],
+      load.added_mass, load.added_inertia);
+}
+
 void check_resolved_gaps(const Model& model, std::span<const double> gaps) {
   require(gaps.empty() || gaps.size() == model.bodies.size(),
           "a resolved gap for each of {} bodies is required; got {}", model.bodies.size(), gaps.size());
@@ -69,7 +80,7 @@ Advanced Solver::advance(double time_step, std::span<const Load> loads,
   require(std::isfinite(time_step) && time_step > 0, "a time_step > 0 s is required; got {}", time_step);
   check_resolved_gaps(model_, resolved_gaps);
   restore();
-  set_loads(loads);
+  set_loads(loads, time_step);
   start_prescribed(prescribed, time_step);
   start_walls(walls, time_step);
   const Advanced outcome = integrate(model_, loads_, resolved_gaps, time_step, trial_);
@@ -79,21 +90,30 @@ Advanced Solver::advance(double time_step, std::span<const Load> loads,
 }
 
 /// The whole weight m g, as the fluid's force includes the buoyancy; in a plane scene only what acts in the
-/// plane.
-void Solver::set_loads(std::span<const Load> loads) {
-  const Bodies& bodies = model_.bodies;
+/// plane. Added inertia moves with the body: (m + m_a) dv/dt = F + m_a (V − v_n)/Δt, which is F alone where
+/// the body ends with V.
+void Solver::set_loads(std::span<const Load> loads, double time_step) {
+  Bodies& bodies = model_.bodies;
   loads_.torque.assign(bodies.size(), Vec3::Zero());
   loads_.force.resize(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) loads_.force[i] = bodies.mass[i] * model_.gravity;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    loads_.force[i] = bodies.mass[i] * model_.gravity;
+    bodies.set_added(i, 0, 0);
+  }
   for (const Load& load : loads) {
-    check_body(model_, load.body, "load");
-    require(load.force.allFinite() && load.torque.allFinite(), "the load of body {} must be finite",
-            bodies.name[load.body]);
+    check_load(model_, load);
+    const std::uint32_t i = load.body;
     const Vec3 force_axes = model_.plane ? Vec3(1, 1, 0) : Vec3(1, 1, 1);
     const Vec3 torque_axes = model_.plane ? Vec3(0, 0, 1) : Vec3(1, 1, 1);
-    loads_.force[load.body] += load.force.cwiseProduct(force_axes);
-    loads_.torque[load.body] += load.torque.cwiseProduct(torque_axes);
+    const Vec3 force = load.added_mass / time_step * (load.velocity - trial_.motions.velocity[i]);
+    const Vec3 torque = load.added_inertia / time_step * (load.spin - trial_.motions.spin[i]);
+    loads_.force[i] += (load.force + force).cwiseProduct(force_axes);
+    loads_.torque[i] += (load.torque + torque).cwiseProduct(torque_axes);
+    bodies.set_added(i, load.added_mass, load.added_inertia);
   }
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    require(!bodies.is_free(i) || std::isfinite(bodies.inverse_mass[i]),
+            "free body {} has no mass, and no fluid adds any: give it a density", bodies.name[i]);
 }
 
 /// Bodies that are not free have the velocity of the way they go, and the mean of their spins.

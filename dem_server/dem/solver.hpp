@@ -10,11 +10,15 @@
 
 namespace fpi::dem {
 
-/// Held over the step, besides weight and contacts.
+/// Held over the step, besides weight and contacts. A fluid that resists a change of motion adds inertia: for
+/// a body that would end the step with another velocity than the load goes with, the load changes by
+/// −added_mass (v − velocity)/Δt.
 struct Load {
   std::uint32_t body = 0;
-  Vec3 force = Vec3::Zero();   ///< [N]
-  Vec3 torque = Vec3::Zero();  ///< [N m] about the centre
+  Vec3 force = Vec3::Zero();                          ///< [N]
+  Vec3 torque = Vec3::Zero();                         ///< [N m] about the centre
+  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  ///< at the end of the step [m/s], [rad/s]
+  double added_mass = 0, added_inertia = 0;           ///< [kg], [kg m²]
 };
 
 /// Where a body that is not free, or a wall that moves, is to be at the end of the step; on the way it moves
@@ -54,7 +58,7 @@ class Solver {
   void resume(std::span<const std::uint8_t> bytes);
 
  private:
-  void set_loads(std::span<const Load> loads);
+  void set_loads(std::span<const Load> loads, double time_step);
   void start_prescribed(std::span<const Prescribed> prescribed, double time_step);
   void finish_prescribed(std::span<const Prescribed> prescribed);
   void start_walls(std::span<const Prescribed> walls, double time_step);

@@ -39,6 +39,29 @@ TEST(Motion, a_load_accelerates_disc_and_sphere_by_their_mass_and_inertia) {
   }
 }
 
+/// A fluid that would exert 3 N on a body that ends with 2 m/s, and resists others with 5 kg.
+TEST(Motion, added_inertia_changes_nothing_where_the_body_ends_as_the_fluid_has_it) {
+  const double mass = 1000 * std::numbers::pi * 0.01 * 0.5, time_step = 0.1;
+  Solver solver(one_body("disc"));
+  Load load{.body = 0, .force = {mass * (2 - 1) / time_step, 0, 0}, .velocity = {2, 0, 0}, .added_mass = 5};
+  step(solver, time_step, std::span(&load, 1));
+  EXPECT_NEAR(solver.motions().velocity[0].x(), 2, 1e-14);
+  solver.restore();
+  load.force.x() += 7;
+  step(solver, time_step, std::span(&load, 1));
+  EXPECT_NEAR(solver.motions().velocity[0].x(), 2 + 7 * time_step / (mass + 5), 1e-14);
+}
+
+TEST(Motion, a_massless_body_moves_with_the_inertia_that_the_fluid_adds_and_not_without) {
+  Problem problem = one_body("disc");
+  problem.bodies[0].density = 0;
+  Solver solver(problem);
+  EXPECT_THROW(step(solver, 0.1), Error);
+  const Load load{.body = 0, .force = {4, 0, 0}, .velocity = {2, 0, 0}, .added_mass = 5, .added_inertia = 1};
+  step(solver, 0.1, std::span(&load, 1));
+  EXPECT_NEAR(solver.motions().velocity[0].x(), 2 + 4 * 0.1 / 5, 1e-14);
+}
+
 TEST(Motion, a_disc_stays_in_its_plane) {
   Solver solver(one_body("disc"));
   const Load load{.body = 0, .force = {0, 0, 5}, .torque = {1, 2, 3}};

@@ -75,8 +75,14 @@ INSTANTIATE_TEST_SUITE_P(
              "mean \"disc\"?); got "
              "\"disk\""},
         Case{"free_body_density", with(settling, "density = 1250\n", ""),
-             "drop.toml:24: bodies.0.density must be > 0 kg/m³ for a body that moves freely (motion = "
-             "\"free\"); got nothing"},
+             "drop.toml:24: the key bodies.0.density is required (density of the body; 0 only of a free body "
+             "in a "
+             "fluid, kg/m³)"},
+        Case{"dry_body_without_mass",
+             "[[bodies]]\nname = \"a\"\nradius = 1\nposition = [0, 0]\ndensity = 0\n[time]\nstep = 1\nend = "
+             "1\n",
+             "drop.toml:5: bodies.0.density must be > 0 kg/m³ of a free body where there is no fluid to "
+             "move; got 0"},
         Case{"contact_needs_material",
              with(settling, "[[materials]]\nname = \"steel\"\nyoungs_modulus = 1e6\n", ""),
              "drop.toml:1: materials must have an entry where free bodies can touch walls or each other; got "
