@@ -149,7 +149,7 @@ TEST(Solver, refuses_set_ups_that_cannot_be_run) {
     return refusal(problem);
   };
   EXPECT_EQ(changed([](Problem&) {}), "");
-  EXPECT_NE(changed([](Problem& s) { s.bodies[3].density = 0; }).find("free body disc3 must have a mass"),
+  EXPECT_NE(changed([](Problem& s) { s.bodies[3].density = -1; }).find("free body disc3 must have a mass"),
             std::string::npos);
   EXPECT_NE(changed([](Problem& s) { s.bodies[4].position = s.bodies[3].position; }).find("disc3 and disc4"),
             std::string::npos);
