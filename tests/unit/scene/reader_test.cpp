@@ -16,7 +16,7 @@ TEST(Reader, reads_values_and_fills_in_defaults) {
   EXPECT_DOUBLE_EQ(s.fluid->viscosity(), 1e-2);
   EXPECT_EQ(s.fluid->boundaries.at("top").type, "no_slip");
   EXPECT_EQ(s.bodies.at(0).velocity, (std::vector<double>{0, 0}));
-  EXPECT_EQ(s.coupling.acceleration, "aitken");
+  EXPECT_EQ(s.coupling.acceleration, "iqn-ils");
   EXPECT_TRUE(s.dem) << "a free body brings [dem] with its defaults";
   EXPECT_TRUE(s.moves_freely());
   EXPECT_TRUE(s.coefficients.empty());
@@ -103,9 +103,9 @@ TEST(Reader, refuses_the_wrong_type_and_quotes_what_came) {
 
 TEST(Reader, suggests_the_near_choice) {
   EXPECT_EQ(error_of(settling + "[coupling]\nacceleration = \"aitkn\"\n"),
-            "drop.toml:39: coupling.acceleration must be one of \"constant\", \"aitken\" (did you mean "
+            "drop.toml:39: coupling.acceleration must be one of \"constant\", \"aitken\", \"iqn-ils\" (did you mean "
             "\"aitken\"?); got \"aitkn\": correct it (how the next interface velocity is found: constant or "
-            "Aitken's relaxation)");
+            "Aitken's relaxation, or interface quasi-Newton with least squares over the last steps)");
 }
 
 TEST(Reader, checks_the_length_and_the_entries_of_a_list) {
