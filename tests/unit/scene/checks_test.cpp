@@ -75,9 +75,9 @@ INSTANTIATE_TEST_SUITE_P(
              "mean \"disc\"?); got "
              "\"disk\""},
         Case{"free_body_density", with(settling, "density = 1250\n", ""),
-             "drop.toml:24: the key bodies.0.density is required (density of the body; 0 only of a free body "
-             "in a "
-             "fluid, kg/m³)"},
+             "drop.toml:24: bodies.0.density is required, a finite number ≥ 0 kg/m³; got nothing: add "
+             "density = … "
+             "(density; 0 only where it moves freely in a fluid)"},
         Case{"dry_body_without_mass",
              "[[bodies]]\nname = \"a\"\nradius = 1\nposition = [0, 0]\ndensity = 0\n[time]\nstep = 1\nend = "
              "1\n",
