@@ -93,7 +93,7 @@ Eigen::Vector<double, 5> answer(NavierStokes& solver, const Vec2& centre) {
   disc.rigid.spin = 0.5;
   const Result result = solve_steady(solver, {disc});
   EXPECT_TRUE(result.newton.converged) << result.newton.reason;
-  const auto& [body, lambda, force, torque, arc_length] = result.tractions.at(0);
+  const auto& [body, lambda, force, torque, arc_length, motion] = result.tractions.at(0);
   const Vec2 beside = solver.at(centre + Vec2(0.27, 0.31))->first;
   return {force.x(), force.y(), torque, beside.x(), beside.y()};
 }

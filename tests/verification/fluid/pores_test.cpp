@@ -86,7 +86,7 @@ TEST(Pores, are_found_as_parts_of_the_mesh) {
     CutMesh cut = cut_mesh(space.mesh, space.locator, discs);
     Components parts = find_components(space.mesh, cut);
     EXPECT_EQ(parts.n(), 2);
-    const Numbering numbering = number_unknowns(space.mesh, space.boundary, cut, parts, interfaces);
+    const Numbering numbering = number_unknowns(space.mesh, space.boundary, cut, parts, discs);
     ASSERT_EQ(numbering.pinned.size(), 2u);  // one outside, one in the pore
     const auto distance = [&](Index v) { return (space.mesh.vertices[v] - Vec2(0.513, 0.431)).norm(); };
     EXPECT_LT(std::min(distance(numbering.pinned[0]), distance(numbering.pinned[1])), 0.06 * n - 0.1);
