@@ -123,10 +123,11 @@ class Plot(unittest.TestCase):
         path.write_text('gravity = [0, -9.81]\ntime.steady = true\n[fluid.mesh]\nlower = [0, 0]\nupper = [2, 1]\n'
                         '[fluid.boundaries]\nleft.type = "velocity"\n')
         scene = results.read_scene(self.run_folder)
-        self.assertEqual(scene, results.Scene(steady=True, heavy=True, closed=True, box=([0, 0], [2, 1])))
+        self.assertEqual(scene, results.Scene(steady=True, heavy=True, closed=True, box=([0, 0], [2, 1]),
+                                              folder=self.run_folder))
         self.assertEqual(scene.when(0.0), "steady")
         path.write_text('gravity = [0, 0]\n[fluid.boundaries]\nleft.type = "traction"\n')
-        self.assertEqual(results.read_scene(self.run_folder), results.Scene())
+        self.assertEqual(results.read_scene(self.run_folder), results.Scene(folder=self.run_folder))
 
     def test_panels_without_a_value_are_left_out(self):
         zero, one = np.zeros(2), np.ones(2)
