@@ -9,7 +9,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from bench.cases import CASES
-from bench.measure import measure
+from bench.measure import fastest_rows, measure
 from bench.results import draw, table, write_json
 from bench.tools import ROOT, Run
 
@@ -18,21 +18,16 @@ LONG = 20  # seconds from which a run is not repeated
 
 
 def compare(case, runs: list[Run]) -> list[dict]:
-    """Each program's fastest run of some rounds, in which they take turns."""
-    fastest: dict[str, dict] = {}
-    for _ in range(ROUNDS):
-        for run in runs:
-            before = fastest.get(run.tool)
-            if before and before["seconds"] > LONG:
-                continue
-            measured = measure(run.command)
-            found = run.read(measured.output)
-            if before is None or measured.seconds < before["seconds"]:
-                fastest[run.tool] = {
-                    "tool": run.tool, "size": run.size, "unknowns": found.unknowns, "seconds": measured.seconds,
-                    "megabytes": measured.megabytes, "values": found.values, "errors": case.errors(found.values),
-                    "parts": found.parts}
-    return list(fastest.values())
+    """Each program's fastest run of some rounds."""
+
+    def row(run: Run) -> dict:
+        measured = measure(run.command)
+        found = run.read(measured.output)
+        return {"tool": run.tool, "size": run.size, "unknowns": found.unknowns, "seconds": measured.seconds,
+                "megabytes": measured.megabytes, "values": found.values, "errors": case.errors(found.values),
+                "parts": found.parts}
+
+    return fastest_rows(ROUNDS, LONG, runs, row)
 
 
 def main() -> None:

@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from bench import grain_results
 from bench.grain_peers import Job, Program, programs
 from bench.impacts import accuracy
-from bench.measure import measure
+from bench.measure import fastest_rows, measure
 from bench.packings import STEP, Packing, gas, mirrored, settled
 from bench.results import write_json
 from bench.tools import ROOT
@@ -53,21 +53,16 @@ def make_driver() -> Path:
 
 
 def compare(packing: Packing, runners: list[Program], folder: Path, rounds: int, grain_steps: float) -> list[dict]:
-    """Each program's fastest run of some rounds, in which they take turns."""
+    """Each program's fastest run of some rounds."""
     steps = max(20, round(grain_steps / packing.count))
-    fastest: dict[str, dict] = {}
-    for _ in range(rounds):
-        for program in runners:
-            before = fastest.get(program.name)
-            if before and before["seconds"] > SLOW:
-                continue
-            measured = measure(program.command(Job(packing, steps, STEP, 0.5, folder / "end.csv")))
-            seconds = program.seconds(measured.output)
-            if before is None or seconds < before["seconds"]:
-                fastest[program.name] = {"program": program.name, "grains": packing.count, "steps": steps,
-                                         "seconds": seconds, "megabytes": measured.megabytes,
-                                         "million_steps_per_second": packing.count * steps / seconds / 1e6}
-    return list(fastest.values())
+
+    def row(program: Program) -> dict:
+        measured = measure(program.command(Job(packing, steps, STEP, 0.5, folder / "end.csv")))
+        seconds = program.seconds(measured.output)
+        return {"program": program.name, "grains": packing.count, "steps": steps, "seconds": seconds,
+                "megabytes": measured.megabytes, "million_steps_per_second": packing.count * steps / seconds / 1e6}
+
+    return fastest_rows(rounds, SLOW, runners, row)
 
 
 def main() -> None:

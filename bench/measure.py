@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 ONE_THREAD = {name: "1" for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")}
@@ -16,6 +17,21 @@ class Measured:
     seconds: float
     megabytes: float
     output: str
+
+
+def fastest_rows(rounds: int, patience: float, runners: Iterable, row_of: Callable) -> list[dict]:
+    """The fastest row of each of the runners, which take turns for some rounds; one that took more than `patience`
+    seconds is not repeated. row_of(runner) runs it and returns its row, with its "seconds"."""
+    fastest: dict[int, dict] = {}
+    for _ in range(rounds):
+        for number, runner in enumerate(runners):
+            before = fastest.get(number)
+            if before and before["seconds"] > patience:
+                continue
+            row = row_of(runner)
+            if before is None or row["seconds"] < before["seconds"]:
+                fastest[number] = row
+    return list(fastest.values())
 
 
 def measure(command: list[str]) -> Measured:

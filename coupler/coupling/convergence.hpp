@@ -12,9 +12,8 @@ namespace fpi::coupling {
 
 /// The size of one residual.
 struct Residual {
-  double relative =
-      0;  ///< in the norm of inertia I, √(v·I v), against the quantity itself; 0 where the residual is 0
-  double largest = 0;  ///< the largest component [m/s] or [N]; spins count by R, torques by 1/R
+  double relative = 0;  ///< in the norm of inertia, against the quantity itself; 0 where the residual is 0
+  double largest = 0;   ///< the largest component [m/s] or [N]; spins count by R, torques by 1/R
 };
 
 class ConvergenceMeasure {

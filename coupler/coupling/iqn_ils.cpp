@@ -13,14 +13,8 @@ void IqnIls::begin_step() {
   last_.reset();
 }
 
-std::size_t IqnIls::columns() const {
-  std::size_t n = current_.size();
-  for (const Columns& step : before_) n += step.size();
-  return n;
-}
-
 void IqnIls::learn(const Eigen::VectorXd& x, const Eigen::VectorXd& residual) {
-  Iterate now{residual, x + residual};
+  Column now{residual, x + residual};
   if (last_) {
     Column column{now.residual - last_->residual, now.result - last_->result};
     if (column.residual.norm() > 0) current_.push_front(std::move(column));

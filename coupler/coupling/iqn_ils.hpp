@@ -28,22 +28,18 @@ class IqnIls : public Acceleration {
   std::vector<double> state() const override;
   void set_state(std::span<const double> state) override;
 
-  std::size_t columns() const;  ///< kept, of this step and the last ones
-
  private:
+  /// r and x + r of an iterate, or the differences of two.
   struct Column {
-    Eigen::VectorXd residual, result;  ///< differences of r and of x + r
-  };
-  using Columns = std::deque<Column>;  ///< newest first
-  struct Iterate {
     Eigen::VectorXd residual, result;
   };
+  using Columns = std::deque<Column>;  ///< differences, newest first
   void learn(const Eigen::VectorXd& x, const Eigen::VectorXd& residual);
 
   double first_;
   Columns current_;             ///< of this step
   std::deque<Columns> before_;  ///< of accepted steps, newest first
-  std::optional<Iterate> last_;
+  std::optional<Column> last_;  ///< iterate
 };
 
 }  // namespace fpi::coupling

@@ -6,51 +6,32 @@
 namespace fpi::dem {
 namespace {
 
-/// Arms from the centres to the contact. Two bodies share the overlap, so that their
-/// angular momentum is kept exactly; a wall takes the whole radius, so that rolling is v = ωR however soft
-/// the contact.
+/// A body at a wall. The arm to the contact is the whole radius, so that rolling is v = ωR however soft the
+/// contact.
 struct Contact {
-  std::uint32_t a, b;
+  std::uint32_t a;
   Vec3 normal;
-  bool wall;
-  double arm_a, arm_b;  ///< [m]
+  double arm;  ///< [m]
   const WallFrame& frame;
 
   Contact(const Model& model, const Near& near)
-      : a(near.a),
-        b(near.b),
-        normal(near.at.normal),
-        wall(near.wall()),
-        arm_a(model.bodies.radius[a] + (wall ? 0 : 0.5 * near.at.gap)),
-        arm_b(wall ? 0 : model.bodies.radius[b] + 0.5 * near.at.gap),
-        frame(near.frame) {}
+      : a(near.a), normal(near.at.normal), arm(model.bodies.radius[a]), frame(near.frame) {}
 
-  /// Velocity of a's surface over b's, along the surface [m/s].
+  /// Velocity of the body's surface over the wall's, along it [m/s].
   Vec3 sliding(const std::vector<Vec3>& velocity, const std::vector<Vec3>& spin) const {
-    const Vec3 v = velocity[a] - (wall ? frame.velocity : velocity[b]);
-    const Vec3 w = wall ? Vec3(arm_a * (spin[a] - frame.spin)) : Vec3(arm_a * spin[a] + arm_b * spin[b]);
-    return along(v) + w.cross(normal);
+    return along(velocity[a] - frame.velocity) + Vec3(arm * (spin[a] - frame.spin)).cross(normal);
   }
-  /// Spin of a over b [rad/s]: rolling along the surface, twisting along the normal.
-  Vec3 turning(const std::vector<Vec3>& spin) const { return spin[a] - (wall ? frame.spin : spin[b]); }
+  /// Spin of the body over the wall [rad/s]: rolling along the surface, twisting along the normal.
+  Vec3 turning(const std::vector<Vec3>& spin) const { return spin[a] - frame.spin; }
   Vec3 along(const Vec3& v) const { return v - v.dot(normal) * normal; }
 
-  /// `force` on a and its opposite on b: pressed along the normal it has no moment, dragged along the surface
-  /// it has.
-  void press(const Vec3& force, Forces& forces) const {
-    forces.force[a] += force;
-    if (!wall) forces.force[b] -= force;
-  }
+  /// `force` on the body: pressed along the normal it has no moment, dragged along the surface it has.
+  void press(const Vec3& force, Forces& forces) const { forces.force[a] += force; }
   void drag(const Vec3& force, Forces& forces) const {
     press(force, forces);
-    const Vec3 moment = normal.cross(force);
-    forces.torque[a] += arm_a * moment;
-    if (!wall) forces.torque[b] += arm_b * moment;
+    forces.torque[a] += arm * normal.cross(force);
   }
-  void twist(const Vec3& moment, Forces& forces) const {
-    forces.torque[a] += moment;
-    if (!wall) forces.torque[b] -= moment;
-  }
+  void twist(const Vec3& moment, Forces& forces) const { forces.torque[a] += moment; }
 };
 
 /// Turns a spring into the contact's plane as it is now, without changing its length, and stretches it.
@@ -64,10 +45,9 @@ void follow(const Contact& contact, const Vec3& stretched, Vec3& spring) {
   spring += stretched;
 }
 
-double pair_inertia(const Bodies& bodies, const Contact& contact) {
-  const double b = contact.wall ? 0 : bodies.inverse_inertia[contact.b];
-  const double sum = bodies.inverse_inertia[contact.a] + b;
-  return sum > 0 ? 1 / sum : 0;  // what does not turn needs no dashpot
+/// What does not turn needs no dashpot.
+double inertia(const Bodies& bodies, std::uint32_t body) {
+  return bodies.inverse_inertia[body] > 0 ? 1 / bodies.inverse_inertia[body] : 0;
 }
 
 template <class Elastic>
@@ -81,7 +61,7 @@ void add_friction(const Model& model, const Contact& contact, const PairLaw& law
     contact.drag(stick_slip(tangential, law.friction * N, rate, memory.slip), forces);
   }
   if (law.rolling_friction == 0 && law.twisting_friction == 0) return;
-  const Spring turning = turning_spring(law, state, tangential, pair_inertia(model.bodies, contact));
+  const Spring turning = turning_spring(law, state, tangential, inertia(model.bodies, contact.a));
   const Vec3 middle = contact.turning(velocities.middle_spin), now = contact.turning(velocities.now_spin);
   if (law.rolling_friction > 0) {
     follow(contact, stretch_time * contact.along(middle), memory.roll);

@@ -1,4 +1,5 @@
-/// One touching place: how two surfaces move over each other, and the forces and moments that come of it.
+/// One place where a body touches a wall: how the surfaces move over each other, and the forces and moments
+/// that come of it. Pairs of bodies are taken several at once, by pair_forces.hpp.
 #pragma once
 
 #include <algorithm>
@@ -50,21 +51,21 @@ struct SubStep {
 /// `velocity`.
 Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3>& velocity);
 
-/// Adds the force and moments of one place to `forces`, by the law Hertz or Linear. True where it touches.
+/// Adds the force and moments of a place at a wall to `forces`, by the law Hertz or Linear. True where it
+/// touches.
 template <class Elastic>
 bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
                  Memory& memory, Forces& forces);
 
-/// Adds one place and counts it where it touches; names(model, place) says whose surfaces they are.
+/// Adds such a place and counts it where it touches; names(model, place) says whose surfaces they are.
 template <class Elastic, class Place>
 void add_place(const Model& model, const Near& here, const Place& place, const Velocities& velocities,
                const SubStep& sub_step, Memory& memory, Forces& forces, ContactCount& count) {
   if (!add_contact<Elastic>(model, here, velocities, sub_step, memory, forces)) return;
-  const double R = model.bodies.radius[here.a], overlap = -here.at.gap;
+  const double overlap = -here.at.gap;
   ++count.touching;
   count.largest_overlap = std::max(count.largest_overlap, overlap);
-  if (overlap >= (here.wall() ? R : std::min(R, model.bodies.radius[here.b])))
-    count.too_deep = names(model, place);
+  if (overlap >= model.bodies.radius[here.a]) count.too_deep = names(model, place);
 }
 
 }  // namespace fpi::dem

@@ -78,15 +78,16 @@ Result NavierStokes::advance(const Request& request) {
 
 /// Geometry, time terms and the first guess of a step; not converged where no consistent start was found.
 NewtonResult NavierStokes::start_step(const Request& request) {
-  if (accepted_system_ && accepted_system_->same_geometry(request.interfaces)) {
-    system_ = accepted_system_;
-  } else if (!system_ || !system_->same_geometry(request.interfaces)) {
+  std::vector<Interface> interfaces = with_buoyancy(request);
+  if (accepted_system_ && accepted_system_->same_geometry(interfaces)) system_ = accepted_system_;
+  if (system_ && system_->same_geometry(interfaces)) {
+    system_->set_velocities(interfaces);
+  } else {
     monitor.phase("interface");
-    system_ = std::make_shared<System>(space_, settings_.fluid, request.interfaces,
+    system_ = std::make_shared<System>(space_, settings_.fluid, std::move(interfaces),
                                        system_ ? system_->cut() : CutMesh{}, monitor.ledger);
   }
   if (!accepted_system_) check_held(request.time_step == 0);
-  system_->set_velocities(with_buoyancy(request));
   start_ = accepted_;
   NewtonResult result;
   result.converged = true;

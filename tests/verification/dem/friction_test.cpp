@@ -30,44 +30,44 @@ Problem block() {
 
 double weight(const Solver& solver) { return g * solver.model().bodies.mass[0]; }
 
-/// Pushes along x with a force that grows for 0.1 s and then stays.
-void push(Solver& solver, double force) {
-  for (int i = 1; i <= 100; ++i) {
-    const Load load{.body = 0, .force = {force * i / 100, 0, 0}};
-    step(solver, 1e-3, {&load, 1});
+/// A block pushed along x by a share of the limit of friction, with a force that grows for 0.1 s and stays.
+struct PushedBlock {
+  Solver solver{block()};
+  double force;
+  Load load;
+
+  PushedBlock(double share, double settling_time) : force(share * mu * weight(solver)) {
+    for (int i = 1; i <= 100; ++i) {
+      load = {.body = 0, .force = {force * i / 100, 0, 0}};
+      advance(1e-3);
+    }
+    load = {.body = 0, .force = {force, 0, 0}};
+    advance(settling_time);
   }
-}
+  Advanced advance(double duration) { return step(solver, duration, {&load, 1}); }
+};
 
 TEST(Friction, a_block_pushed_with_99_percent_of_the_limit_stays_for_a_million_sub_steps) {
-  Solver solver(block());
-  const double force = 0.99 * mu * weight(solver);
-  push(solver, force);
-  const Load load{.body = 0, .force = {force, 0, 0}};
-  step(solver, 0.1, {&load, 1});
+  PushedBlock pushed(0.99, 0.1);
+  const Solver& solver = pushed.solver;
   const double x = solver.motions().position[0].x();
   std::uint64_t sub_steps = 0;
-  while (sub_steps < 1000000) sub_steps += step(solver, 1, {&load, 1}).sub_steps;
+  while (sub_steps < 1000000) sub_steps += pushed.advance(1).sub_steps;
   EXPECT_NEAR(solver.motions().position[0].x() / x, 1, 1e-12);
   EXPECT_LT(solver.motions().velocity[0].norm(), 1e-15);
 }
 
 TEST(Friction, a_block_pushed_with_101_percent_of_the_limit_slides_with_the_acceleration_that_is_left) {
-  Solver solver(block());
-  const double force = 1.01 * mu * weight(solver);
-  push(solver, force);
-  const Load load{.body = 0, .force = {force, 0, 0}};
-  step(solver, 0.5, {&load, 1});
+  PushedBlock pushed(1.01, 0.5);
+  const Solver& solver = pushed.solver;
   const double before = solver.motions().velocity[0].x();
-  step(solver, 1, {&load, 1});
+  pushed.advance(1);
   EXPECT_NEAR((solver.motions().velocity[0].x() - before) / (0.01 * mu * g), 1, 1e-9);
 }
 
 TEST(Friction, a_push_below_the_limit_moves_a_block_by_force_over_stiffness) {
-  Solver solver(block());
-  const double force = 0.4 * mu * weight(solver);
-  push(solver, force);
-  const Load load{.body = 0, .force = {force, 0, 0}};
-  step(solver, 0.5, {&load, 1});
+  const PushedBlock pushed(0.4, 0.5);
+  const auto& [solver, force, load] = pushed;
   const double overlap = R - solver.motions().position[0].y();
   const Near at = near(solver.model(), solver.motions().position, solver.walls(), WallPlace{0, 0});
   const Normal state{.mass = 1, .radius = R, .overlap = overlap, .rate = 0};
