@@ -1,0 +1,42 @@
+#include "coupled_state.hpp"
+
+namespace fpi {
+
+void put_numbers(const CoupledState& state, NumbersByName& numbers) {
+  const auto put = [&numbers](const char* name, const auto& vector) {
+    numbers[name].insert(numbers[name].end(), vector.begin(), vector.end());
+  };
+  for (const coupling::RigidMotion& motion : state.motions) {
+    put("position", motion.position);
+    put("orientation", motion.orientation.coeffs());
+    put("velocity", motion.velocity);
+    put("spin", motion.spin);
+  }
+  for (const coupling::RigidMotion& wall : state.walls) {
+    put("wall_position", wall.position);
+    put("wall_orientation", wall.orientation.coeffs());
+  }
+  for (const coupling::RigidLoad& load : state.loads) {
+    put("force", load.force);
+    put("torque", load.torque);
+  }
+}
+
+void take_numbers(const NumbersByName& numbers, CoupledState& state) {
+  const auto triple = [&numbers](const char* name, std::size_t body) {
+    return Eigen::Vector3d(&numbers.at(name).at(3 * body));
+  };
+  for (std::size_t i = 0; i < state.motions.size(); ++i) {
+    state.motions[i] = {.position = triple("position", i),
+                        .orientation = Eigen::Quaterniond(&numbers.at("orientation").at(4 * i)),
+                        .velocity = triple("velocity", i),
+                        .spin = triple("spin", i)};
+    state.loads[i] = {.force = triple("force", i), .torque = triple("torque", i)};
+  }
+  for (std::size_t i = 0; i < state.walls.size(); ++i) {
+    state.walls[i].position = triple("wall_position", i);
+    state.walls[i].orientation = Eigen::Quaterniond(&numbers.at("wall_orientation").at(4 * i));
+  }
+}
+
+}  // namespace fpi

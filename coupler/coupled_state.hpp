@@ -1,0 +1,52 @@
+/// The state of the coupled problem between two steps, and one attempt at the step after it: what the solvers
+/// are asked and what they answered.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "coupling/interface_mesh.hpp"
+#include "coupling/rigid_dofs.hpp"
+#include "coupling/staggered_iteration.hpp"
+#include "coupling/time_window.hpp"
+#include "proto/messages.hpp"
+
+namespace fpi {
+
+/// Arrays of numbers by name, for a checkpoint.
+using NumbersByName = std::map<std::string, std::vector<double>>;
+
+/// The state at the end of a step. Entry i belongs to body i; a scene without a fluid has no tractions and
+/// arcs.
+struct CoupledState {
+  std::vector<coupling::RigidMotion> motions;
+  std::vector<coupling::RigidMotion> walls;  ///< of those that move, about their centres
+  std::vector<coupling::RigidLoad> loads;
+  std::vector<coupling::Arcs> arcs;
+  std::vector<proto::Traction> tractions;
+};
+
+/// What the following steps depend on; arcs and tractions are found anew in each.
+void put_numbers(const CoupledState& state, NumbersByName& numbers);
+/// Reads them into a state of as many bodies and walls.
+void take_numbers(const NumbersByName& numbers, CoupledState& state);
+
+struct Attempt : coupling::StepResult {
+  std::uint32_t newton_iterations = 0;  ///< of all sub-iterations
+  double largest_overlap = 0;           ///< [m] of grains
+  coupling::TimeError time_error;       ///< of the fluid
+};
+
+/// An attempt under way.
+struct Trial {
+  double end = 0, time_step = 0;  ///< [s]
+  /// Geometry that the attempt is frozen at, with the velocities that the fluid has there.
+  std::vector<coupling::RigidMotion> placed;
+  CoupledState state;            ///< at its end, as far as the solvers answered
+  Eigen::VectorXd added;         ///< inertia that the fluid adds to each unknown
+  Eigen::VectorXd force_of_dem;  ///< mean over the step on each unknown [N], [N m]
+  Attempt report;
+};
+
+}  // namespace fpi

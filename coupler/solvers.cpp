@@ -1,0 +1,228 @@
+#include "solvers.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/log.hpp"
+#include "coupling/mesh_around_bodies.hpp"
+#include "wire.hpp"
+
+namespace fpi {
+namespace {
+
+void log_notes(const char* role, const proto::Configured& configured) {
+  for (const std::string& note : configured.notes) log::info("{}: {}", role, note);
+}
+
+/// The scene as the fluid gets it, which knows of refinements only, not of the motion of bodies.
+scene::Scene scene_for_fluid(const scene::Scene& scene) {
+  coupling::MeshAroundBodies around = coupling::mesh_around_bodies(scene);
+  for (const std::string& note : around.notes) log::info("mesh: {}", note);
+  scene::Scene refined = scene;
+  scene::Mesh& mesh = refined.fluid->mesh;
+  mesh.elements_per_diameter = 0;
+  mesh.free_bodies_box.clear();
+  std::ranges::move(around.refinements, std::back_inserter(mesh.refinements));
+  return scene::part_of(scene::Part::fluid, refined);
+}
+
+/// What a participant that plays in `part` of the scene is sent.
+proto::Configure configuration(scene::Scene part, const Files& files, proto::Bytes state) {
+  proto::Configure message{.scene = scene::write_text(part), .files = {}, .state = std::move(state)};
+  const std::vector<std::string*> names = scene::file_names(part);
+  std::ranges::copy_if(files, std::back_inserter(message.files), [&names](const proto::File& file) {
+    return std::ranges::any_of(names, [&file](const std::string* name) { return *name == file.name; });
+  });
+  return message;
+}
+
+proto::Bytes state_of(const StatesByRole& states, const char* role) {
+  const auto found = states.find(role);
+  return found == states.end() ? proto::Bytes{} : found->second;
+}
+
+}  // namespace
+
+Solvers::Solvers(const scene::Scene& scene, const coupling::RigidDofs& dofs, Participants participants,
+                 bool fluid_moves_bodies)
+    : scene_(scene),
+      dofs_(dofs),
+      participants_(participants),
+      fluid_moves_bodies_(fluid_moves_bodies),
+      arc_lengths_(scene.bodies.size()),
+      told_of_coarse_mesh_(scene.bodies.size()) {
+  for (std::uint32_t i = 0; i < scene.walls.size(); ++i)
+    if (scene.walls[i].moves()) moving_walls_.push_back(i);
+}
+
+void Solvers::configure(const Files& files, const StatesByRole& states) {
+  if (participants_.fluid) {
+    const proto::Configured configured = participants_.fluid->configure(
+        configuration(scene_for_fluid(scene_), files, state_of(states, "fluid")));
+    log_notes("fluid", configured);
+    take_arc_lengths(configured.arc_lengths);
+    if (configured.resolved_gap_ratio > 0) resolved_gap_ratio_ = configured.resolved_gap_ratio;
+  }
+  if (participants_.dem) {
+    log_notes("dem", participants_.dem->configure(configuration(scene::part_of(scene::Part::dem, scene_),
+                                                                files, state_of(states, "dem"))));
+  }
+}
+
+void Solvers::take_arc_lengths(const std::vector<proto::ArcLength>& lengths) {
+  for (const auto& [body, length] : lengths) {
+    require(body < arc_lengths_.size(), "the fluid must name bodies 0 to {} in its arc lengths; got {}",
+            arc_lengths_.size(), body);
+    arc_lengths_[body] = length;
+  }
+  for (std::size_t i = 0; i < arc_lengths_.size(); ++i) {
+    require(arc_lengths_[i] > 0, "the fluid must say an arc length > 0 m for body \"{}\"; got {}",
+            scene_.bodies[i].name, arc_lengths_[i]);
+    warn_where_coarse(i);
+  }
+}
+
+/// Tells once when a body comes where triangles are clearly larger than the scene asks for beside it.
+void Solvers::warn_where_coarse(std::size_t body) {
+  constexpr double clearly = 1.5;
+  const double asked = scene_.fluid->mesh.elements_per_diameter;
+  if (asked == 0 || told_of_coarse_mesh_[body]) return;
+  const double found = coupling::diameter(scene_.bodies[body], scene_.hydraulic_radius_ratio) *
+                       scene_.fluid->embedding.arc_ratio / arc_lengths_[body];
+  if (clearly * found >= asked) return;
+  told_of_coarse_mesh_[body] = true;
+  log::warning(
+      "body \"{}\" has come where its diameter spans {:.3g} triangles only, not {} "
+      "(fluid.mesh.elements_per_diameter): name where free bodies go by fluid.mesh.free_bodies_box",
+      scene_.bodies[body].name, found, asked);
+}
+
+std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState& before, Trial& trial) {
+  if (!participants_.fluid) return "";
+  proto::FluidAdvance message{.time = trial.end, .time_step = trial.time_step, .interfaces = {}};
+  for (std::uint32_t i = 0; i < trial.placed.size(); ++i)
+    message.interfaces.push_back(to_wire(i, trial.state.arcs[i], trial.placed[i]));
+  if (fluid_moves_bodies_) add_balances(before, trial, message.interfaces);
+  proto::FluidAdvanced answer = participants_.fluid->advance(stamp, message);
+  trial.report.newton_iterations += answer.newton_iterations;
+  trial.report.time_error = {.value = answer.time_error, .order = answer.time_error_order};
+  if (!answer.converged) return "the fluid did not converge: " + answer.reason;
+  take_tractions(std::move(answer.tractions), trial);
+  return "";
+}
+
+/// Each free body's own balance of momentum, for the fluid to solve with its equations.
+void Solvers::add_balances(const CoupledState& before, const Trial& trial,
+                           std::vector<proto::Interface>& interfaces) const {
+  for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
+    const auto at = 3 * static_cast<Eigen::Index>(k);
+    const std::size_t body = dofs_.bodies()[k];
+    const coupling::RigidMotion& start = before.motions[body];
+    const auto force = trial.force_of_dem.segment<3>(at);
+    interfaces[body].balance = {.mass = dofs_.inertia()[at],
+                                .inertia = dofs_.inertia()[at + 2],
+                                .velocity = to_wire(start.velocity),
+                                .spin = to_wire(start.spin),
+                                .force = {force[0], force[1], 0},
+                                .torque = {0, 0, force[2]}};
+  }
+}
+
+void Solvers::take_tractions(std::vector<proto::Traction> tractions, Trial& trial) const {
+  require(tractions.size() == scene_.bodies.size(),
+          "the fluid must answer with a traction for each of {} bodies; got {}", scene_.bodies.size(),
+          tractions.size());
+  for (std::size_t i = 0; i < tractions.size(); ++i) {
+    const proto::Traction& traction = tractions[i];
+    const std::size_t n_arcs = trial.state.arcs[i].size();
+    require(traction.body == i && traction.values.size() == 2 * n_arcs,
+            "the fluid must answer in the order of the bodies with two values an arc; for body \"{}\" with "
+            "{} arcs it sent {} values of body {}",
+            scene_.bodies[i].name, n_arcs, traction.values.size(), traction.body);
+    trial.state.loads[i] = {.force = coupling::to_eigen(traction.force),
+                            .torque = coupling::to_eigen(traction.torque)};
+    if (fluid_moves_bodies_ && scene_.bodies[i].is_free()) {
+      trial.placed[i].velocity = coupling::to_eigen(traction.velocity);
+      trial.placed[i].spin = coupling::to_eigen(traction.spin);
+    }
+  }
+  trial.state.tractions = std::move(tractions);
+}
+
+std::string Solvers::advance_dem(const proto::Stamp& stamp, Trial& trial) {
+  if (!participants_.dem) return "";
+  const proto::DemAdvanced answer = participants_.dem->advance(stamp, message_to_dem(trial));
+  trial.report.largest_overlap = answer.largest_overlap;
+  if (!answer.converged) return "the DEM did not converge: " + answer.reason;
+  take_motions(answer.motions, trial.state);
+  return "";
+}
+
+proto::DemAdvance Solvers::message_to_dem(const Trial& trial) const {
+  proto::DemAdvance message{.time = trial.end,
+                            .time_step = trial.time_step,
+                            .loads = {},
+                            .prescribed = {},
+                            .resolved_gaps = {},
+                            .walls = {}};
+  for (std::size_t i = 0; i < moving_walls_.size(); ++i)
+    message.walls.push_back(to_wire(moving_walls_[i], trial.state.walls[i]));
+  for (std::uint32_t i = 0; i < trial.placed.size(); ++i)
+    if (!scene_.bodies[i].is_free()) message.prescribed.push_back(to_wire(i, trial.placed[i]));
+  if (!participants_.fluid) return message;
+  message.loads = loads_on_free_bodies(trial);
+  for (const double length : arc_lengths_) message.resolved_gaps.push_back(resolved_gap_ratio_ * length);
+  return message;
+}
+
+/// What the fluid exerts at the velocities it had, and how that changes with them.
+std::vector<proto::Load> Solvers::loads_on_free_bodies(const Trial& trial) const {
+  std::vector<proto::Load> loads;
+  for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
+    const std::size_t body = dofs_.bodies()[k];
+    loads.push_back(to_wire(trial.state.arcs[body], trial.state.tractions[body]));
+    if (!participants_.dem_takes_added_inertia) continue;
+    loads.back().velocity = to_wire(trial.placed[body].velocity);
+    loads.back().spin = to_wire(trial.placed[body].spin);
+    loads.back().added_mass = trial.added[3 * static_cast<Eigen::Index>(k)];
+    loads.back().added_inertia = trial.added[3 * static_cast<Eigen::Index>(k) + 2];
+  }
+  return loads;
+}
+
+void Solvers::take_motions(const std::vector<proto::Motion>& motions, CoupledState& state) const {
+  require(motions.size() == scene_.bodies.size(),
+          "the DEM must answer with the motion of each of {} bodies; got {}", scene_.bodies.size(),
+          motions.size());
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    require(motions[i].body == i, "the DEM must answer in the order of the bodies; entry {} is of body {}", i,
+            motions[i].body);
+    if (scene_.bodies[i].is_free()) state.motions[i] = from_wire(motions[i]);
+  }
+}
+
+void Solvers::accept(const CoupledState& state) {
+  if (participants_.fluid) {
+    const proto::Figures figures = participants_.fluid->accept().figures;
+    figures_ = {figures.begin(), figures.end()};
+    std::vector<proto::ArcLength> lengths;
+    for (const proto::Traction& t : state.tractions)
+      lengths.push_back({.body = t.body, .length = t.arc_length});
+    take_arc_lengths(lengths);
+  }
+  if (participants_.dem) participants_.dem->accept();
+}
+
+void Solvers::restore() {
+  if (participants_.fluid) participants_.fluid->restore();
+  if (participants_.dem) participants_.dem->restore();
+}
+
+std::optional<double> Solvers::figure(const std::string& name) const {
+  const auto found = figures_.find(name);
+  return found == figures_.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace fpi

@@ -1,0 +1,76 @@
+/// The messages to the solvers of a run: what fluid and DEM are told of an attempt, and what of their answers
+/// enters it. The story of a step is told in simulation.cpp.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupled_state.hpp"
+#include "proto/participant.hpp"
+#include "scene/scene.hpp"
+
+namespace fpi {
+
+/// Who takes part; a null pointer where the scene does not need the role. They outlive what uses them.
+struct Participants {
+  proto::FluidParticipant* fluid = nullptr;
+  proto::DemParticipant* dem = nullptr;
+  bool fluid_moves_bodies = false;       ///< by balances sent to it (capability "balance")
+  bool dem_takes_added_inertia = false;  ///< capability "added_inertia"
+};
+
+/// The contents of all files that the scene names.
+using Files = std::vector<proto::File>;
+/// A participant's own state by role, for a checkpoint.
+using StatesByRole = std::map<std::string, proto::Bytes>;
+
+class Solvers {
+ public:
+  /// `fluid_moves_bodies`: it is sent the balances of the free bodies and finds their velocities.
+  Solvers(const scene::Scene& scene, const coupling::RigidDofs& dofs, Participants participants,
+          bool fluid_moves_bodies);
+
+  /// Sends every participant its part of the scene, and its state where a run is resumed.
+  void configure(const Files& files, const StatesByRole& states);
+
+  bool has_fluid() const { return participants_.fluid != nullptr; }
+  bool dem_takes_added_inertia() const { return participants_.dem_takes_added_inertia; }
+
+  /// Both let their solver answer to the trial, which started from `before`; a role that does not take part
+  /// has nothing to say. Returns "" or why the solver did not converge.
+  std::string advance_fluid(const proto::Stamp& stamp, const CoupledState& before, Trial& trial);
+  std::string advance_dem(const proto::Stamp& stamp, Trial& trial);
+  void accept(const CoupledState& state);
+  void restore();
+
+  /// [m] that the fluid wants for the interface mesh, one a body.
+  const std::vector<double>& arc_lengths() const { return arc_lengths_; }
+  void set_arc_lengths(const std::vector<double>& lengths) { arc_lengths_ = lengths; }
+  /// What the fluid reported with the last accepted step.
+  std::optional<double> figure(const std::string& name) const;
+
+ private:
+  void add_balances(const CoupledState& before, const Trial& trial,
+                    std::vector<proto::Interface>& interfaces) const;
+  void take_tractions(std::vector<proto::Traction> tractions, Trial& trial) const;
+  proto::DemAdvance message_to_dem(const Trial& trial) const;
+  std::vector<proto::Load> loads_on_free_bodies(const Trial& trial) const;
+  void take_motions(const std::vector<proto::Motion>& motions, CoupledState& state) const;
+  void take_arc_lengths(const std::vector<proto::ArcLength>& lengths);
+  void warn_where_coarse(std::size_t body);
+
+  const scene::Scene& scene_;
+  const coupling::RigidDofs& dofs_;
+  Participants participants_;
+  bool fluid_moves_bodies_;
+  std::vector<std::uint32_t> moving_walls_;  ///< their numbers in the scene
+  std::vector<double> arc_lengths_;
+  std::vector<bool> told_of_coarse_mesh_;  ///< one a body
+  double resolved_gap_ratio_ = 1;          ///< narrowest gap that the fluid resolves, of the arc length
+  std::map<std::string, double> figures_;
+};
+
+}  // namespace fpi
