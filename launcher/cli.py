@@ -69,10 +69,10 @@ def parser() -> argparse.ArgumentParser:
     bench = word("bench", do_bench, "run time against error on benchmark flows, steps a second of grains, beside other programs; noise of forces")
     bench.add_argument("subject", nargs="?", choices=("fluid", "grains", "noise"), default="fluid", help="what is measured")
     bench.add_argument("rest", nargs=argparse.REMAINDER, metavar="...", help="its options; -h names them")
-    stressing = word("stress", do_stress, "random cases of embedded bodies: which survive, how exact and how quiet they are")
-    stressing.add_argument("subject", nargs="?", choices=("interface",), default="interface", help="what is tried")
+    stressing = word("stress", do_stress, "random cases of embedded or coupled bodies: which survive, how exact and quiet they are or how soon they converge")
+    stressing.add_argument("subject", nargs="?", choices=("interface", "coupling"), default="interface", help="what is tried")
     stressing.add_argument("--seed", type=positive, default=1, metavar="N", help="of the random numbers (default 1)")
-    stressing.add_argument("--cases", type=positive, metavar="N", help="how many, about (default 260; 20 with --quick)")
+    stressing.add_argument("--cases", type=positive, metavar="N", help="how many, about (default some 250; few with --quick)")
     stressing.add_argument("--only", metavar="CASE", help="one case by its name, with all it says")
     stressing.add_argument("--quick", action="store_true", help="coarse meshes and few steps: seconds")
     stressing.add_argument("--jobs", type=positive, metavar="N", help="cases at a time (default: all cores)")
@@ -200,13 +200,13 @@ def do_stress(arguments) -> int:
     ensure_programs(arguments.json)
     from launcher import stress
 
-    sweep = stress.Sweep(arguments.seed, arguments.cases or (20 if arguments.quick else 260), arguments.only, arguments.quick)
+    sweep = stress.Sweep(arguments.subject, arguments.seed, arguments.cases, arguments.only, arguments.quick)
     results = sweep.run(arguments.jobs, arguments.json)
     stress.write(arguments.out, sweep, results)
     if arguments.json or arguments.only:
         print(json.dumps(results, indent=1))
     else:
-        print(stress.table(sweep.titles(), results))
+        print(stress.table(sweep, results))
     print(stress.failures(sweep, results), file=sys.stderr)
     return int(any(row["failure"] and not row["refused"] for row in results))
 

@@ -1,26 +1,49 @@
-"""`./fpi stress interface`: random cases of bodies embedded in the fluid, a process each so that none takes others
-with it, and a table of how they went."""
+"""`./fpi stress`: random cases of bodies embedded in the fluid or coupled to it, a process each so that none takes
+others with it, and a table of how they went."""
 
 import json
 import os
 import subprocess
+import sys
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 
 from launcher import build
-from launcher.common import Refusal, program
+from launcher.common import ROOT, Refusal, program
 from launcher.processes import describe
 
 LONGEST = 900  # seconds after which a case counts as hanging
 
 
 @dataclass
+class Subject:
+    """What is tried, by a program that lists cases by name and runs one, and what is measured of each."""
+    command: Callable[[], list[str]]
+    cases: int
+    quick_cases: int
+    quantities: tuple[str, ...]  # the larger the worse
+
+
+SUBJECTS = {
+    "interface": Subject(lambda: [str(program("interface_stress"))], 260, 20, ("error", "noise", "condition")),
+    "coupling": Subject(lambda: [sys.executable, "-I", str(ROOT / "tests" / "stress" / "coupling.py")], 240, 12,
+                        ("sub_iterations", "rejected", "factorisations", "seconds")),
+}
+
+
+@dataclass
 class Sweep:
+    name: str
     seed: int = 1
-    cases: int = 260
+    cases: int | None = None
     only: str | None = None  # one case by its name
     quick: bool = False
+
+    @property
+    def subject(self) -> Subject:
+        return SUBJECTS[self.name]
 
     def options(self) -> list[str]:
         return ["--seed", str(self.seed), *(["--quick"] if self.quick else [])]
@@ -33,13 +56,13 @@ class Sweep:
         return [self.only] if self.only else [name for name, _ in self.listed()]
 
     def listed(self) -> list[tuple[str, str]]:
-        listing = subprocess.run([program("interface_stress"), "--list", str(self.cases)], capture_output=True, text=True,
-                                 check=True)
+        cases = self.cases or (self.subject.quick_cases if self.quick else self.subject.cases)
+        listing = subprocess.run([*self.subject.command(), "--list", str(cases)], capture_output=True, text=True, check=True)
         return [tuple(line.split("\t")) for line in listing.stdout.splitlines()]
 
     def run_case(self, name: str) -> dict:
         """What the case says of itself, or how its process ended."""
-        command = [str(program("interface_stress")), *self.options(), name]
+        command = [*self.subject.command(), *self.options(), name]
         one_thread = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
         try:
             done = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST, env=one_thread, check=False)
@@ -68,23 +91,22 @@ class Sweep:
         return [found[name] for name in names]
 
     def repeat(self, name: str) -> str:
-        return " ".join(["./fpi stress interface", *self.options(), "--only", name])
+        return " ".join([f"./fpi stress {self.name}", *self.options(), "--only", name])
 
 
-def table(titles: dict[str, str], results: list[dict]) -> str:
+def table(sweep: Sweep, results: list[dict]) -> str:
     """A line a family: how many survived, and the worst of what its cases measured, with the case."""
-    lines = [f"{'family':9s}{'cases':>6s}{'good':>6s}{'refused':>8s}{'failed':>7s}  {'worst error':20s}{'worst noise':20s}"
-             f"{'condition':20s}"]
-    for family, title in titles.items():
+    quantities = sweep.subject.quantities
+    lines = [f"{'family':9s}{'cases':>6s}{'good':>6s}{'refused':>8s}{'failed':>7s}  "
+             + "".join(f"{'worst ' + name.replace('_', '-'):24s}" for name in quantities)]
+    for family, title in sweep.titles().items():
         rows = [row for row in results if row["case"].split("-")[0] == family]
         if not rows:
             continue
         refused = sum(row["refused"] for row in rows)
         failed = sum(bool(row["failure"]) for row in rows) - refused
-        conditions = [row["condition"] for row in rows if "condition" in row]
-        spread = f"{min(conditions):.1e} to {max(conditions):.1e}" if conditions else "-"
         lines.append(f"{family:9s}{len(rows):6d}{len(rows) - refused - failed:6d}{refused:8d}{failed:7d}  "
-                     f"{worst(rows, 'error'):20s}{worst(rows, 'noise'):20s}{spread:20s}  {title}")
+                     + "".join(f"{worst(rows, name):24s}" for name in quantities) + title)
     return "\n".join(lines)
 
 
@@ -93,7 +115,7 @@ def worst(rows: list[dict], quantity: str) -> str:
     if not rows:
         return "-"
     row = max(rows, key=lambda one: one[quantity])
-    return f"{row[quantity]:.1e} ({row['case']})"
+    return f"{row[quantity]:.3g} ({row['case']})"
 
 
 def failures(sweep: Sweep, results: list[dict]) -> str:
@@ -104,4 +126,4 @@ def failures(sweep: Sweep, results: list[dict]) -> str:
 
 def write(path: Path, sweep: Sweep, results: list[dict]) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps({"seed": sweep.seed, "quick": sweep.quick, "cases": results}, indent=1) + "\n")
+    path.write_text(json.dumps({"subject": sweep.name, "seed": sweep.seed, "quick": sweep.quick, "cases": results}, indent=1) + "\n")

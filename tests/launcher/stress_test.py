@@ -46,9 +46,16 @@ class Stress(FakeTest):
         self.assertEqual(json.loads(out)[0]["failure"], "too many")
 
     def test_a_case_that_there_is_not_is_refused(self):
-        status, _, err = self.fpi("stress", "--only", "nothing", "--out", "all.json")
+        for subject in ("interface", "coupling"):
+            status, _, err = self.fpi("stress", subject, "--only", "nothing", "--out", "all.json")
+            self.assertEqual(status, 1)
+            self.assertIn("a case named as --list does is required", err)
+
+    def test_a_coupled_run_without_results_is_a_failure_with_the_command_that_repeats_it(self):
+        status, _, err = self.fpi("stress", "coupling", "--only", "one-0", "--out", "all.json")
         self.assertEqual(status, 1)
-        self.assertIn("a case named as --list does is required", err)
+        self.assertIn("one-0 failed: ", err)
+        self.assertIn("./fpi stress coupling --seed 1 --only one-0", err)
 
 
 if __name__ == "__main__":
