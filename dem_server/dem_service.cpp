@@ -84,6 +84,7 @@ proto::Configured DemService::configure(const proto::Configure& message) {
 proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdvance& message) {
   const ScopedTimer timer(ledger_, "dem");
   progress.set("contacts");
+  time_ = message.time;
   const Advanced outcome =
       solver().advance(message.time_step, read_loads(message.loads), read_prescribed(message.prescribed),
                        message.resolved_gaps, read_prescribed(message.walls));
@@ -99,6 +100,7 @@ proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdva
 
 proto::Accepted DemService::accept() {
   solver().accept();
+  solver().check_none_lost(time_);
   return {};
 }
 

@@ -22,6 +22,7 @@ class DemService : public proto::DemParticipant {
   Solver& solver();
 
   std::optional<Solver> solver_;
+  double time_ = 0;  ///< [s] at the end of the last step tried
   Ledger ledger_;
 };
 

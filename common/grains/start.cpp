@@ -8,8 +8,6 @@
 namespace fpi::grains {
 namespace {
 
-constexpr double allowed_overlap = 0.01;  ///< of the smaller radius
-
 void check_inside(const scene::Body& body, std::size_t axis, double lower, double upper, const char* where) {
   const double x = body.position[axis];
   require(!body.is_free() || (x >= lower && x <= upper),
@@ -28,6 +26,7 @@ void check_places(const scene::Scene& scene) {
 }
 
 void check_overlaps(const scene::Scene& scene) {
+  const double allowed = scene.dem.value_or(scene::Dem{}).start_overlap;
   Periods periods{};
   for (const std::size_t axis : {0, 1}) {
     const std::vector<double>& planes = scene.periodic.along(static_cast<int>(axis));
@@ -40,11 +39,11 @@ void check_overlaps(const scene::Scene& scene) {
     if (!(one.is_free() || other.is_free()) || one.shape == "polygon" || other.shape == "polygon") continue;
     const double distance = length(difference(spheres[a].centre, spheres[b].centre, periods));
     const double overlap = one.radius + other.radius - distance;
-    require(overlap <= allowed_overlap * std::min(one.radius, other.radius),
-            "bodies must not overlap at the start by more than {:g} of the smaller radius; {} and {} do, by "
-            "{:.3g} m: move "
-            "one of them, or make them smaller",
-            allowed_overlap, one.name, other.name, overlap);
+    require(
+        overlap <= allowed * std::min(one.radius, other.radius),
+        "bodies must not overlap at the start by more than {:g} of the smaller radius (dem.start_overlap); "
+        "{} and {} do, by {:.3g} m: move one of them, or make them smaller",
+        allowed, one.name, other.name, overlap);
   }
 }
 

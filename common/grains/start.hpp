@@ -11,7 +11,7 @@ namespace fpi::grains {
 Sphere sphere_around(const scene::Body& body);
 
 /// Throws Error naming a free body whose centre is outside the rectangle of fluid or the periodic cell, or a
-/// free one and another whose overlap is above a hundredth of the smaller radius.
+/// free one and another that overlap by more than dem.start_overlap.
 void check_start(const scene::Scene& scene);
 
 }  // namespace fpi::grains

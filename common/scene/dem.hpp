@@ -84,6 +84,8 @@ struct Dem {
   std::string contact = "hertz";  ///< hertz | linear
   double steps_per_contact = 50;  ///< t_c over the sub-step while something touches
   double largest_sub_step = 0;    ///< [s]; 0: the coupling step
+  double start_overlap = 0.01;    ///< of the smaller radius
+  double lost_distance = 0;       ///< [m]; 0: a thousand diagonals of the box around all at the start
   Lubrication lubrication;
   NearField near_field;
   double adhesion_range = 0.01;  ///< over R*
@@ -97,8 +99,18 @@ struct Dem {
         contact, contacts);
     v.real({"steps_per_contact", "", "sub-steps in the contact time of the stiffest pair that can touch"},
            steps_per_contact, between(10, 1e6));
-    v.real({"largest_sub_step", "s", "upper limit of the sub-step in free flight; 0: the coupling step"},
-           largest_sub_step, not_negative());
+    v.real(
+        {"largest_sub_step", "s",
+         "upper limit of the sub-step; contacts shorten it by themselves where they need to; 0: the coupling "
+         "step"},
+        largest_sub_step, not_negative());
+    v.real({"start_overlap", "",
+            "how far a free body may overlap another or a wall at the start, of the smaller radius"},
+           start_overlap, between(0, 0.5));
+    v.real({"lost_distance", "m",
+            "a free body farther than this outside the box around all bodies and walls at the start is lost, "
+            "and the run ends; 0: a thousand diagonals of that box"},
+           lost_distance, not_negative());
     v.real({"adhesion_range", "", "gap, over R*, on which the pull of adhesion falls to zero"},
            adhesion_range, above_up_to(0, 1));
     v.table({"near_field", "", "attraction and repulsion between bodies that need not touch"}, near_field);

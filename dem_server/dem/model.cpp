@@ -72,6 +72,24 @@ void add_wall(const Problem& problem, const scene::Wall& wall, Walls& walls) {
             std::move(facets));
 }
 
+/// The box around all bodies and walls at the start, of planes their points, and farther on every side by
+/// dem.lost_distance.
+Box expected_places(const Problem& problem, const Walls& walls) {
+  constexpr double farther = 1000;  // diagonals, where no distance is set
+  Box box;
+  for (const scene::Body& body : problem.bodies) {
+    const Vec3 x = to_eigen(body.position), reach = Vec3::Constant(body.radius);
+    box.extend(Box(x - reach, x + reach));
+  }
+  for (const scene::Wall& wall : problem.walls)
+    if (wall.shape == "plane") box.extend(to_eigen(wall.point));
+  for (const Facet& facet : walls.facets)
+    if (const Box around = bounds(facet); around.sizes().allFinite()) box.extend(around);
+  const double asked = problem.dem.lost_distance;
+  const Vec3 margin = Vec3::Constant(asked > 0 ? asked : farther * box.diagonal().norm());
+  return {box.min() - margin, box.max() + margin};
+}
+
 /// Everything that would leave the plane z = 0 of a scene of discs.
 void check_plane(const Problem& problem) {
   require(problem.gravity.z() == 0, "gravity of a plane scene must have z = 0; got {}", problem.gravity.z());
@@ -114,6 +132,8 @@ Model make_model(const Problem& problem) {
                      lubrication.roughness, problem.hydraulic_radius_ratio};
   model.near_field = problem.dem.near_field;
   model.adhesion_range = problem.dem.adhesion_range;
+  model.start_overlap = problem.dem.start_overlap;
+  model.expected = expected_places(problem, model.walls);
   return model;
 }
 

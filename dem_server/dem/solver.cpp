@@ -8,13 +8,15 @@
 namespace fpi::dem {
 namespace {
 
-constexpr double allowed_overlap = 0.05;  ///< at the start, of a radius: soft grains at rest have 1 %
-
 template <class Place>
 void check_overlap(const Model& model, const Near& here, const Place& place) {
-  require(here.at.gap > -allowed_overlap * model.bodies.radius[here.a],
-          "bodies must not overlap at the start; got {} m between {}: move one of them", -here.at.gap,
-          names(model, place));
+  const std::vector<double>& radius = model.bodies.radius;
+  const double smaller = here.wall() ? radius[here.a] : std::min(radius[here.a], radius[here.b]);
+  require(here.at.gap >= -model.start_overlap * smaller,
+          "{} must not overlap at the start by more than {:g} of the smaller radius (dem.start_overlap); "
+          "they do, by "
+          "{:.3g} m: move one of them",
+          names(model, place), model.start_overlap, -here.at.gap);
 }
 
 void check_overlaps(const Model& model, const State& state) {
@@ -165,6 +167,21 @@ void Solver::start_walls(std::span<const Prescribed> walls, double time_step) {
 void Solver::finish_walls(std::span<const Prescribed> walls) {
   for (const Prescribed& end : walls)
     trial_.wall_contacts.motions[end.body] = {end.position, end.orientation, end.velocity, end.spin};
+}
+
+void Solver::check_none_lost(double time) const {
+  const Box& expected = model_.expected;
+  const auto text = [](const Vec3& x) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z());
+  };
+  for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
+    const Vec3& x = accepted_.motions.position[i];
+    if (!model_.bodies.is_free(i) || expected.contains(x)) continue;
+    fail(
+        "free bodies must stay between {} and {} m; {} is lost: it is at {} m at t = {:.6g} s. Close the "
+        "walls that it left through, or let it go farther by dem.lost_distance",
+        text(expected.min()), text(expected.max()), model_.bodies.name[i], text(x), time);
+  }
 }
 
 std::vector<std::uint8_t> Solver::checkpoint() {

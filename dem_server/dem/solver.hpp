@@ -34,7 +34,7 @@ struct Prescribed {
 class Solver {
  public:
   /// Throws Error for a set-up that cannot be run, among it free bodies that overlap at the start by more
-  /// than 5 % of a radius.
+  /// than dem.start_overlap.
   explicit Solver(const Problem& problem);
 
   /// Throws Error for a step that is not > 0 s, a body that does not exist, or numbers that are not finite. A
@@ -45,6 +45,9 @@ class Solver {
                    std::span<const double> resolved_gaps = {}, std::span<const Prescribed> walls = {});
   void accept() { accepted_ = trial_; }
   void restore() { trial_ = accepted_; }
+
+  /// Throws Error naming a free body that left the places where it could be expected, `time` being now [s].
+  void check_none_lost(double time) const;
 
   /// As the last `advance`, `accept` or `restore` left them.
   const Motions& motions() const { return trial_.motions; }

@@ -79,6 +79,24 @@ TEST(DemService, reports_its_time_and_counts) {
   EXPECT_GT(figures[2].second, 0);
 }
 
+TEST(DemService, ends_the_run_when_an_accepted_step_has_lost_a_body) {
+  DemService service;
+  service.configure({.scene = scene + "[dem]\nlost_distance = 0.5\n"});
+  service.advance({}, fall(1));  // beyond the floor or not, it is tried only
+  service.restore();
+  service.advance({}, fall(0.1));
+  EXPECT_NO_THROW(service.accept());
+  proto::DemAdvance up = fall(0.9);
+  up.loads = {{.body = 0, .force = {0, 1000, 0}}};
+  service.advance({}, up);
+  try {
+    service.accept();
+    FAIL() << "it is 500 m up";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("a is lost"), std::string::npos) << e.what();
+  }
+}
+
 TEST(DemService, refuses_what_it_cannot_do) {
   DemService service;
   EXPECT_THROW(service.advance({}, fall(0.1)), Error);

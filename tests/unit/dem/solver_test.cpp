@@ -172,6 +172,60 @@ TEST(Solver, refuses_set_ups_that_cannot_be_run) {
   EXPECT_NE(changed([](Problem& s) { s.bodies.clear(); }).find("must have a body"), std::string::npos);
 }
 
+TEST(Solver, bodies_may_overlap_each_other_and_walls_at_the_start_as_far_as_the_scene_says) {
+  const auto refused = [](double overlap, double allowed, bool wall) {
+    Problem problem = test::on_floor(material(1e8, 0.3), body("small", "sphere", 0.01, 2500, {0, 0.02, 0}));
+    problem.bodies.push_back(body("large", "sphere", 0.05, 2500, {0.06 - 0.01 * overlap, 0.5, 0}));
+    problem.bodies[0].position[1] = wall ? 0.01 - 0.01 * overlap : 0.5;
+    if (wall) problem.bodies.pop_back();
+    problem.dem.start_overlap = allowed;
+    return refusal(problem);
+  };
+  EXPECT_EQ(refused(0.009, 0.01, false), "");
+  EXPECT_EQ(refused(0.009, 0.01, true), "");
+  EXPECT_NE(refused(0.011, 0.01, false).find("small and large must not overlap"), std::string::npos);
+  EXPECT_NE(refused(0.011, 0.01, true).find("small and floor must not overlap"), std::string::npos);
+  EXPECT_EQ(refused(0.011, 0.02, false), "");
+}
+
+TEST(Solver, a_limit_of_the_sub_step_beyond_what_a_contact_allows_changes_nothing) {
+  Problem problem = test::on_floor(material(1e9, 0.3), body("b", "sphere", 0.01, 2500, {0, 0.0101, 0}));
+  problem.bodies[0].velocity = {0, -1, 0};
+  Solver free(problem);
+  problem.dem.largest_sub_step = 0.1;
+  Solver limited(problem);
+  const Advanced unlimited = step(free, 0.01);
+  EXPECT_EQ(step(limited, 0.01).sub_steps, unlimited.sub_steps);
+  EXPECT_GT(unlimited.sub_steps, 50u);
+  EXPECT_TRUE(bitwise_equal(free.motions(), limited.motions()));
+}
+
+TEST(Solver, a_body_that_is_lost_is_named_with_place_and_time) {
+  Problem problem =
+      test::on_floor(material(1e8, 0.3), body("ball", "sphere", 0.01, 2500, {0, 0.5, 0}, {3, 0, 0}));
+  problem.dem.lost_distance = 0.1;
+  Solver solver(problem);
+  step(solver, 0.03);
+  EXPECT_EQ(complaint([&] { solver.check_none_lost(0.03); }), "") << "0.1 m beyond its place at the start";
+  step(solver, 0.01);
+  EXPECT_EQ(
+      complaint([&] { solver.check_none_lost(0.04); }),
+      "free bodies must stay between (-0.11, -0.1, -0.11) and (0.11, 0.61, 0.11) m; ball is lost: it is at "
+      "(0.12, 0.4922, 0) m at t = 0.04 s. Close the walls that it left through, or let it go farther by "
+      "dem.lost_distance");
+}
+
+TEST(Solver, a_body_is_not_lost_within_a_thousand_diagonals_of_the_scene) {
+  Problem problem =
+      test::on_floor(material(1e8, 0.3), body("ball", "sphere", 0.01, 2500, {0, 0.5, 0}, {10, 0, 0}));
+  problem.gravity.setZero();
+  Solver solver(problem);
+  step(solver, 50);
+  EXPECT_EQ(complaint([&] { solver.check_none_lost(50); }), "");
+  step(solver, 2);
+  EXPECT_NE(complaint([&] { solver.check_none_lost(52); }).find("ball is lost"), std::string::npos);
+}
+
 TEST(Solver, refuses_steps_that_cannot_be_taken) {
   Solver solver(box_of_discs());
   const auto asked = [&](double time_step, Load load) {

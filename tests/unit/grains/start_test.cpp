@@ -13,10 +13,12 @@ std::string disc(const std::string& name, const std::string& position, const std
 }
 
 TEST(Start, bodies_that_overlap_are_named) {
-  EXPECT_EQ(error_of(disc("a", "[0, 0]") + disc("b", "[0.15, 0]")),
-            "bodies must not overlap at the start by more than 0.01 of the smaller radius; a and b do, by "
-            "0.05 m: move "
-            "one of them, or make them smaller");
+  EXPECT_EQ(
+      error_of(disc("a", "[0, 0]") + disc("b", "[0.15, 0]")),
+      "bodies must not overlap at the start by more than 0.01 of the smaller radius (dem.start_overlap); a "
+      "and b do, by 0.05 m: move one of them, or make them smaller");
+  const std::string more = "[dem]\nstart_overlap = 0.5\n";
+  EXPECT_EQ(error_of(more + disc("a", "[0, 0]") + disc("b", "[0.151, 0]")), "") << "the scene may allow more";
   EXPECT_EQ(error_of(disc("a", "[0, 0]") + disc("b", "[0.1995, 0]")), "") << "a hundredth is let pass";
   const std::string free = disc("c", "[9, 9]"), held = "motion = \"fixed\"\n";
   EXPECT_EQ(error_of(free + disc("a", "[0, 0]", held) + disc("b", "[0.15, 0]", held)), "") << "both are held";

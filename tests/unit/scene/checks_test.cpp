@@ -83,6 +83,13 @@ INSTANTIATE_TEST_SUITE_P(
              "1\n",
              "drop.toml:5: bodies.0.density must be > 0 kg/m³ of a free body where there is no fluid to "
              "move; got 0"},
+        Case{
+            "stiffness_is_not_negative", with(settling, "youngs_modulus = 1e6", "youngs_modulus = -5"),
+            "drop.toml:32: materials.0.youngs_modulus must be a finite number ≥ 0 Pa; got -5: correct it (E, "
+            "needed where dem.contact = \"hertz\")"},
+        Case{"linear_stiffness_is_given", settling + "[dem]\ncontact = \"linear\"\n",
+             "drop.toml:30: materials.0.normal_stiffness must be > 0 N/m where dem.contact = \"linear\"; got "
+             "nothing"},
         Case{"contact_needs_material",
              with(settling, "[[materials]]\nname = \"steel\"\nyoungs_modulus = 1e6\n", ""),
              "drop.toml:1: materials must have an entry where free bodies can touch walls or each other; got "
