@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from harness import SETTLING_SCENE, CoupledRun, channel_scene, interrupt, run_coupler, toy_scene
+from harness import DRUM_SCENE, SETTLING_SCENE, CoupledRun, channel_scene, interrupt, run_coupler, toy_scene
 
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
 KEYS = {"status", "reason", "steps", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
@@ -177,6 +177,19 @@ class Coupled(unittest.TestCase):
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertIn("resumed after step 10", resumed.log())
         self.assertEqual((run.out / "history.csv").read_bytes(), whole)
+
+    def test_grains_in_a_drum_that_turns_resume_to_the_same_bits(self):
+        with CoupledRun(self.folder, DRUM_SCENE) as run:
+            self.assertEqual(run.wait(), 0, run.log())
+        self.assertGreater(run.history[-1]["disc.y"], -0.06)  # the drum, which rose by 0.04 m, has held and turned them
+        self.assertGreater(abs(run.history[-1]["disc.vx"]), 1e-3)
+        whole = {name: (run.out / name).read_bytes() for name in ("history.csv", "bodies.h5")}
+        run.forget_its_end()
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+        self.assertIn("resumed after step 60", resumed.log())
+        for name, content in whole.items():
+            self.assertEqual((run.out / name).read_bytes(), content, name)
 
     def test_a_run_with_adaptive_steps_resumes_to_the_same_bits(self):
         scene = channel_scene("step = 0.05\nend = 1.26\nrelative_tolerance = 5e-3", length=3, cells_x=18, cells_y=6)

@@ -63,6 +63,46 @@ position = [0.005, 0.015]
 """
 
 
+DRUM_SCENE = """
+title = "discs in a drum that turns and rises, on a shaker"
+gravity = [0, -9.81]
+thickness = 0.01
+[time]
+step = 5e-3
+end = 0.4
+[output]
+interval = 0.1
+checkpoint_every = 30
+[[grains]]
+name = "disc"
+generator = "random"
+lower = [-0.03, -0.04]
+upper = [0.03, 0.02]
+solid_fraction = 0.5
+radius_range = [0.004, 0.006]
+density = 2500
+[[materials]]
+name = "glass"
+youngs_modulus = 1e6
+friction = 0.5
+rolling_friction = 0.1
+[[walls]]
+name = "drum"
+shape = "arc"
+centre = [0, 0]
+radius = 0.06
+spin = [-6]
+velocity = ["0.2*cos(20*t)", 0.1]
+[[walls]]
+name = "paddle"
+shape = "polyline"
+centre = [0, 0]
+vertices = [-0.06, 0, -0.05, 0]
+spin = ["-6"]
+velocity = ["0.2*cos(20*t)", 0.1]
+"""
+
+
 CHANNEL_SCENE = """
 title = "a pulse of inflow past a held disc, on a coarse mesh"
 [time]
