@@ -20,6 +20,7 @@ void put_numbers(const CoupledState& state, NumbersByName& numbers) {
     put("force", load.force);
     put("torque", load.torque);
   }
+  put("contacts", state.contacts);
 }
 
 void take_numbers(const NumbersByName& numbers, CoupledState& state) {
@@ -33,6 +34,8 @@ void take_numbers(const NumbersByName& numbers, CoupledState& state) {
                         .spin = triple("spin", i)};
     state.loads[i] = {.force = triple("force", i), .torque = triple("torque", i)};
   }
+  const std::vector<double>& contacts = numbers.at("contacts");
+  state.contacts.assign(contacts.begin(), contacts.end());
   for (std::size_t i = 0; i < state.walls.size(); ++i) {
     state.walls[i].position = triple("wall_position", i);
     state.walls[i].orientation = Eigen::Quaterniond(&numbers.at("wall_orientation").at(4 * i));

@@ -25,6 +25,7 @@ struct CoupledState {
   std::vector<coupling::RigidLoad> loads;
   std::vector<coupling::Arcs> arcs;
   std::vector<proto::Traction> tractions;
+  std::vector<std::uint32_t> contacts;  ///< of each body; empty where the DEM does not say
 };
 
 /// What the following steps depend on; arcs and tractions are found anew in each.

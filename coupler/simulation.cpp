@@ -52,6 +52,7 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
     accepted_.motions.push_back(motion);
   }
   accepted_.loads.resize(scene.bodies.size());
+  accepted_.contacts.resize(scene.bodies.size());
   for (const scene::Wall& wall : scene.walls) {
     if (!wall.moves()) continue;
     moving_walls_.emplace_back(wall);
@@ -139,9 +140,23 @@ void Simulation::accept() {
   solvers_.accept(trial_.state);
   predictor_.accept(dofs_.velocities(accepted_.motions), trial_.time_step);
   iteration_.accept();
+  forget_changed_contacts();
   if (fluid_moves_bodies_) force_of_dem_ = trial_.force_of_dem;
   accepted_ = std::move(trial_.state);
   ++steps_;
+}
+
+/// A contact that opened or closed makes a body answer in another way.
+void Simulation::forget_changed_contacts() {
+  const std::vector<std::uint32_t>&before = accepted_.contacts, &now = trial_.state.contacts;
+  if (now.empty() || now.size() != before.size()) return;
+  std::vector<Eigen::Index> unknowns;
+  for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
+    const std::size_t body = dofs_.bodies()[k];
+    if (before[body] == now[body]) continue;
+    for (Eigen::Index i = 0; i < 3; ++i) unknowns.push_back(3 * static_cast<Eigen::Index>(k) + i);
+  }
+  iteration_.forget(unknowns);
 }
 
 void Simulation::restore() {

@@ -48,6 +48,7 @@ class Simulation {
   void begin_trial(double start, double end, double time_step);
   void place_bodies(double start);
   Eigen::VectorXd first_iterate() const;
+  void forget_changed_contacts();
   coupling::Exchange exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration);
 
   const scene::Scene& scene_;

@@ -157,6 +157,7 @@ std::string Solvers::advance_dem(const proto::Stamp& stamp, Trial& trial) {
   trial.report.largest_overlap = answer.largest_overlap;
   if (!answer.converged) return "the DEM did not converge: " + answer.reason;
   take_motions(answer.motions, trial.state);
+  trial.state.contacts = answer.contacts;
   return "";
 }
 

@@ -94,7 +94,7 @@ proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdva
           .reason = outcome.reason,
           .motions = outcome.converged ? write_motions(solver().motions()) : std::vector<proto::Motion>{},
           .sub_steps = outcome.sub_steps,
-          .contacts = outcome.contacts,
+          .contacts = message.loads.empty() ? std::vector<std::uint32_t>{} : solver().contacts(),
           .largest_overlap = outcome.largest_overlap};
 }
 

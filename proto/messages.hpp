@@ -159,8 +159,8 @@ struct DemAdvanced {
   std::string reason{};
   std::vector<Motion> motions{};  ///< of every body, at the end of the step
   std::uint64_t sub_steps = 0;
-  std::uint64_t contacts = 0;  ///< at the end of the step
-  double largest_overlap = 0;  ///< [m] met during the step
+  std::vector<std::uint32_t> contacts{};  ///< of every body, at the end of the step; empty: not said
+  double largest_overlap = 0;             ///< [m] met during the step
 };
 
 struct Accept {};

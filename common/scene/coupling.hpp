@@ -19,16 +19,17 @@ struct Coupling {
   std::string predictor = "linear";
   double participant_timeout = 10;  ///< [s] without any sign of life
 
-  static constexpr std::array<std::string_view, 3> accelerations{"constant", "aitken", "iqn-ils"};
+  static constexpr std::array<std::string_view, 4> accelerations{"constant", "aitken", "iqn-ils", "iqn-imvj"};
   static constexpr std::array<std::string_view, 4> responses{"auto", "none", "analytic", "fluid"};
   static constexpr std::array<std::string_view, 2> predictors{"constant", "linear"};
 
   void declare(ParameterVisitor& v) {
-    v.choice({"acceleration", "",
-              "how the next interface velocity is found: constant or Aitken's relaxation, or interface "
-              "quasi-Newton "
-              "with least squares over the last steps"},
-             acceleration, accelerations);
+    v.choice(
+        {"acceleration", "",
+         "how the next iterate is found: constant or Aitken's relaxation, or interface quasi-Newton with "
+         "least squares over the last steps (iqn-ils) or with an inverse Jacobian that is carried on "
+         "(iqn-imvj)"},
+        acceleration, accelerations);
     v.real({"relaxation", "", "the constant relaxation factor, or the first of the others"}, relaxation,
            above_up_to(0, 2));
     v.choice(

@@ -3,6 +3,7 @@
 #include "coupling/aitken.hpp"
 #include "coupling/constant_relaxation.hpp"
 #include "coupling/iqn_ils.hpp"
+#include "coupling/iqn_imvj.hpp"
 
 namespace fpi::coupling {
 
@@ -10,6 +11,7 @@ std::unique_ptr<Acceleration> make_acceleration(const scene::Coupling& parameter
   if (parameters.acceleration == "constant")
     return std::make_unique<ConstantRelaxation>(parameters.relaxation);
   if (parameters.acceleration == "aitken") return std::make_unique<Aitken>(parameters.relaxation);
+  if (parameters.acceleration == "iqn-imvj") return std::make_unique<IqnImvj>(parameters.relaxation);
   return std::make_unique<IqnIls>(parameters.relaxation);
 }
 

@@ -11,6 +11,12 @@
 
 namespace fpi::coupling {
 
+/// What was learnt of earlier iterates, as far as it is kept that way.
+struct ColumnCount {
+  std::size_t kept = 0;     ///< that the next iterate was found with
+  std::size_t dropped = 0;  ///< that said nothing new
+};
+
 /// Order of calls: begin_step, then next after each sub-iteration but the last, finish after one that
 /// converged, then accept or reject.
 class Acceleration {
@@ -23,6 +29,9 @@ class Acceleration {
   virtual void finish(const Eigen::VectorXd& /*x*/, const Eigen::VectorXd& /*residual*/) {}
   virtual void accept() {}
   virtual void reject() {}
+  /// What was learnt about these unknowns no longer holds.
+  virtual void forget(std::span<const Eigen::Index> /*rows*/) {}
+  virtual ColumnCount columns() const { return {}; }
   /// What the following steps depend on, for a checkpoint taken between steps.
   virtual std::vector<double> state() const { return {}; }
   virtual void set_state(std::span<const double>) {}

@@ -8,62 +8,15 @@ IqnIls::IqnIls(double first) : first_(first) {
   require(first > 0 && first <= 2, "a first relaxation factor in (0, 2] is required; got {}", first);
 }
 
-void IqnIls::begin_step() {
-  current_.clear();
-  last_.reset();
-}
-
-void IqnIls::learn(const Eigen::VectorXd& x, const Eigen::VectorXd& residual) {
-  Column now{residual, x + residual};
-  if (last_) {
-    Column column{now.residual - last_->residual, now.result - last_->result};
-    if (column.residual.norm() > 0) current_.push_front(std::move(column));
-  }
-  last_ = std::move(now);
-}
-
-/// Columns in the order of their age are made orthogonal one by one; min |r + V α| then takes one product
-/// each, and α follows from the triangle R.
-Eigen::VectorXd IqnIls::next(const Eigen::VectorXd& x, const Eigen::VectorXd& residual) {
-  learn(x, residual);
-  const auto most = static_cast<std::size_t>(x.size());
-  std::vector<const Column*> kept;
-  Eigen::MatrixXd Q(x.size(), x.size()), R = Eigen::MatrixXd::Zero(x.size(), x.size());
-  const auto try_column = [&](const Column& column, bool must) {
-    if (kept.size() == most) return;
-    const auto k = static_cast<Eigen::Index>(kept.size());
-    Eigen::VectorXd q = column.residual, above = Eigen::VectorXd::Zero(k);
-    for (int twice = 0; twice < 2; ++twice) {  // once more against round-off
-      const Eigen::VectorXd along = Q.leftCols(k).transpose() * q;
-      q -= Q.leftCols(k) * along;
-      above += along;
-    }
-    const double left = q.norm();
-    if (left <= (must ? 0 : filter * column.residual.norm())) return;
-    R.col(k).head(k) = above;
-    R(k, k) = left;
-    Q.col(k) = q / left;
-    kept.push_back(&column);
-  };
-  bool newest = true;
-  for (const Column& column : current_) try_column(column, std::exchange(newest, false));
+std::vector<const IqnIls::Column*> IqnIls::earlier() const {
+  std::vector<const Column*> columns;
   for (const Columns& step : before_)
-    for (const Column& column : step) try_column(column, false);
-  if (kept.empty()) return x + first_ * residual;
-
-  const auto n = static_cast<Eigen::Index>(kept.size());
-  const Eigen::VectorXd against = Q.leftCols(n).transpose() * residual;
-  const Eigen::VectorXd alpha = R.topLeftCorner(n, n).triangularView<Eigen::Upper>().solve(-against);
-  // What no column spans is relaxed as without any.
-  Eigen::VectorXd out = x + residual - (1 - first_) * (residual - Q.leftCols(n) * against);
-  for (Eigen::Index k = 0; k < n; ++k) out += alpha[k] * kept[k]->result;
-  return out;
+    for (const Column& column : step) columns.push_back(&column);
+  return columns;
 }
-
-void IqnIls::finish(const Eigen::VectorXd& x, const Eigen::VectorXd& residual) { learn(x, residual); }
 
 void IqnIls::accept() {
-  if (!current_.empty()) before_.push_front(std::move(current_));
+  if (!current().empty()) before_.push_front(take_current());
   if (before_.size() > reused_steps) before_.pop_back();
   begin_step();
 }
@@ -71,6 +24,12 @@ void IqnIls::accept() {
 void IqnIls::reject() {
   before_.clear();
   begin_step();
+}
+
+void IqnIls::forget(std::span<const Eigen::Index> rows) {
+  QuasiNewton::forget(rows);
+  for (Columns& step : before_)
+    for (Column& column : step) column.forget(rows);
 }
 
 /// Size of a column, then for each step its number of columns and their numbers.
@@ -87,8 +46,7 @@ std::vector<double> IqnIls::state() const {
 }
 
 void IqnIls::set_state(std::span<const double> state) {
-  before_.clear();
-  begin_step();
+  reject();
   const auto size = static_cast<std::size_t>(state[0]);
   const auto take = [&state](std::size_t n) {
     const std::span<const double> taken = state.first(n);

@@ -44,6 +44,8 @@ class StaggeredIteration {
   /// The step counts, or does not.
   void accept() { acceleration_->accept(); }
   void reject() { acceleration_->reject(); }
+  /// What was learnt about these unknowns no longer holds.
+  void forget(std::span<const Eigen::Index> unknowns) { acceleration_->forget(unknowns); }
 
   std::vector<double> state() const { return acceleration_->state(); }
   void set_state(std::span<const double> state) { acceleration_->set_state(state); }

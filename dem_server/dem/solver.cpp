@@ -91,6 +91,16 @@ Advanced Solver::advance(double time_step, std::span<const Load> loads,
   return outcome;
 }
 
+std::vector<std::uint32_t> Solver::contacts() const {
+  std::vector<std::uint32_t> count(model_.bodies.size());
+  each_acting(model_, trial_, 0, [&count](const Near& near) {
+    if (near.at.gap >= 0) return;
+    ++count[near.a];
+    if (!near.wall()) ++count[near.b];
+  });
+  return count;
+}
+
 /// The whole weight m g, as the fluid's force includes the buoyancy; in a plane scene only what acts in the
 /// plane. Added inertia moves with the body: (m + m_a) dv/dt = F + m_a (V − v_n)/Δt, which is F alone where
 /// the body ends with V.

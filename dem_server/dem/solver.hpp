@@ -53,6 +53,8 @@ class Solver {
   const Motions& motions() const { return trial_.motions; }
   const WallMotions& walls() const { return trial_.wall_contacts.motions; }
   const Model& model() const { return model_; }
+  /// How many places each body touches others and walls at.
+  std::vector<std::uint32_t> contacts() const;
 
   /// The accepted state as bytes. Forgets the search for neighbours, which a resumed run does not have, so
   /// that both go on bitwise alike.

@@ -134,8 +134,8 @@ DemAdvance unpack(Reader& r, const wire::DemAdvance* w) {
           r.list(w->walls())};
 }
 DemAdvanced unpack(Reader& r, const wire::DemAdvanced* w) {
-  return {w->converged(), r.text(w->reason()), r.list(w->motions()),
-          w->sub_steps(), w->contacts(),       w->largest_overlap()};
+  return {w->converged(), r.text(w->reason()),      r.list(w->motions()),
+          w->sub_steps(), r.numbers(w->contacts()), w->largest_overlap()};
 }
 Accepted unpack(Reader& r, const wire::Accepted* w) { return {r.list(w->figures())}; }
 Write unpack(Reader&, const wire::Write* w) { return {w->mesh()}; }

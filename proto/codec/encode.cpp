@@ -105,7 +105,7 @@ auto pack(Builder& b, const DemAdvance& m) {
 }
 auto pack(Builder& b, const DemAdvanced& m) {
   return wire::CreateDemAdvanced(b, m.converged, text(b, m.reason), list(b, m.motions), m.sub_steps,
-                                 m.contacts, m.largest_overlap);
+                                 numbers(b, m.contacts), m.largest_overlap);
 }
 auto pack(Builder& b, const Accept&) { return wire::CreateAccept(b); }
 auto pack(Builder& b, const Accepted& m) { return wire::CreateAccepted(b, list(b, m.figures)); }

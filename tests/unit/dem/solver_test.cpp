@@ -56,6 +56,15 @@ TEST(Solver, a_resumed_run_goes_on_bitwise_as_the_one_that_went_on) {
   EXPECT_TRUE(bitwise_equal(solver.motions(), resumed.motions()));
 }
 
+TEST(Solver, counts_the_places_that_each_body_touches_others_and_walls_at) {
+  Problem problem = test::on_floor(material(2e6, 0.3), body("low", "disc", 0.1, 1000, {0, 0.0999}));
+  problem.bodies.push_back(body("high", "disc", 0.1, 1000, {0, 0.2998}));
+  problem.bodies.push_back(body("apart", "disc", 0.1, 1000, {1, 0.5}));
+  Solver solver(problem);
+  solver.advance(1e-5, {});
+  EXPECT_EQ(solver.contacts(), (std::vector<std::uint32_t>{2, 1, 0}));
+}
+
 TEST(Solver, a_box_of_discs_loses_energy_and_comes_to_rest) {
   Solver solver(box_of_discs());
   const double start = test::energy(solver);

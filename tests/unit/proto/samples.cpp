@@ -64,7 +64,7 @@ std::vector<Envelope> all() {
       FluidAdvance{0.3, 0.1, {arcs(), outline()}},
       FluidAdvanced{true, "well", {traction, traction}, 4, 1e-9, 2e-4, 3},
       DemAdvance{0.3, 0.1, {load}, {motion(), motion()}, {0.01, 0.02}, {motion()}},
-      DemAdvanced{true, "well", {motion()}, 50, 2, 1e-6},
+      DemAdvanced{true, "well", {motion()}, 50, {2}, 1e-6},
       Accept{},
       Accepted{figures},
       Restore{},
