@@ -105,12 +105,9 @@ TEST(Reader, suggests_the_near_choice) {
   EXPECT_EQ(
       error_of(settling + "[coupling]\nacceleration = \"aitkn\"\n"),
       "drop.toml:39: coupling.acceleration must be one of \"constant\", \"aitken\", \"iqn-ils\", "
-      "\"iqn-imvj\" "
-      "(did you mean \"aitken\"?); got \"aitkn\": correct it (how the next iterate is found: constant or "
-      "Aitken's relaxation, or interface quasi-Newton with least squares over the last steps (iqn-ils) or "
-      "with "
-      "an inverse Jacobian that is carried on (iqn-imvj))"); got \"aitkn\": correct it (how the next interface velocity is found: constant or "
-            "Aitken's relaxation, or interface quasi-Newton with least squares over the last steps)");
+      "\"iqn-imvj\" (did you mean \"aitken\"?); got \"aitkn\": correct it (how the next iterate is "
+      "found: constant or Aitken's relaxation, or interface quasi-Newton with least squares over the last "
+      "steps (iqn-ils) or with an inverse Jacobian that is carried on (iqn-imvj))");
 }
 
 TEST(Reader, checks_the_length_and_the_entries_of_a_list) {
