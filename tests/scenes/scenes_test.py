@@ -344,19 +344,48 @@ class Scenes(unittest.TestCase):
         self.assertLess(disc["velocity"][1], -0.4 * inviscid)
         self.assertLess(abs(disc["position"][0] - 0.01), 1e-6)
 
+    def at(self, time: float, column: str) -> float:
+        """A column of the history at a time, linear between steps."""
+        history = self.history()
+        step = next(i for i, t in enumerate(history["time"]) if t >= time * (1 - 1e-9))
+        before, after = history["time"][step - 1], history["time"][step]
+        weight = (time - before) / (after - before)
+        return (1 - weight) * history[column][step - 1] + weight * history[column][step]
+
     def test_settling_disc(self):
         """The whole fall: plateau speed, heights of references, rest on the floor."""
         self.run_scene("settling_disc")
         history, d, u = self.history(), 0.0025, 0.09814
-        time, height = history["time"], history["disc.y"]
-        self.assert_near(max(-v for v in history["disc.vy"]), 0.0559, 0.03)
-        for after, expected in ((5, 14.52), (10, 11.94), (20, 6.32)):
-            step = next(i for i, t in enumerate(time) if t >= after * d / u)
-            weight = (after * d / u - time[step - 1]) / (time[step] - time[step - 1])
-            y = height[step - 1] + weight * (height[step] - height[step - 1])
-            self.assertLess(abs(y / d - expected), 0.02 * 24, f"at t u_ref/d = {after}")
-        self.assertGreater(min(height), d / 2 - 0.01 * d)
+        self.assert_near(max(-v for v in history["disc.vy"]), 0.05585, 0.01)
+        for after, expected in ((5, 14.52), (10, 11.94), (20, 6.32), (25, 3.48)):
+            self.assertLess(abs(self.at(after * d / u, "disc.y") / d - expected), 0.05, f"at t u_ref/d = {after}")
+        self.assertGreater(min(history["disc.y"]), d / 2 - 0.01 * d)
         self.assertLess(abs(history["disc.vy"][-1]), 2e-2 * 0.0559, "all but at rest: the film under it drains slowly")
+
+    def test_free_rotation(self):
+        disc = self.run_scene("free_rotation")["bodies"][0]
+        self.assert_near(disc["spin"][2], -0.5, 1e-3)
+        self.assertLess(max(map(abs, disc["position"])), 1e-4)
+
+    def test_massless_disc(self):
+        """A thousand steps straight up, each of them one exchange."""
+        summary, d = self.run_scene("massless_disc", "output.fields=false"), 0.0025
+        self.assertEqual(summary["steps"], 1000)
+        self.assertEqual(summary["sub_iterations"], {"mean": 1, "max": 1})
+        history = self.history()
+        self.assertGreater(min(history["disc.vy"]), 0)
+        self.assertLess(max(abs(x - 0.0075) for x in history["disc.x"]), 0.01 * d)
+        self.assertGreater(history["disc.y"][-1], 0.0035 + 5 * d)
+
+    def test_couette_migration(self):
+        self.run_scene("couette_migration", "output.fields=false")
+        for time, height in ((10, 0.2963), (20, 0.3485), (40, 0.4234), (60, 0.4643), (100, 0.4908)):
+            self.assertLess(abs(self.at(time, "disc.y") - height), 0.01, f"at t = {time}")
+
+    def test_poiseuille_migration(self):
+        self.run_scene("poiseuille_migration", "output.fields=false")
+        self.assertLess(abs(self.at(600, "disc.y") - 0.2723), 0.005)
+        self.assertLess(abs(self.at(600, "disc.y") - self.at(500, "disc.y")), 1e-3, "it stays there")
 
 
 if __name__ == "__main__":

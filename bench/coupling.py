@@ -1,0 +1,152 @@
+#!/usr/bin/python3
+"""What it takes to couple free bodies to the fluid: sub-iterations, solves, factors, time and error of each acceleration
+and response on the same scenes, and the cost of a coupled step over one with given motion. Nothing is asserted here."""
+
+import argparse
+import csv
+import json
+import shutil
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from bench import coupling_results
+from bench.measure import fastest_rows, measure
+from bench.results import write_json
+from bench.tools import ROOT
+
+ROUNDS = 3  # of the runs whose cost is compared
+LEFT_OUT = 5  # steps that start without history
+METHODS = [("fluid", "iqn-ils"), ("analytic", "iqn-ils"), ("analytic", "aitken"), ("analytic", "constant"),
+           ("none", "iqn-ils"), ("none", "aitken"), ("none", "constant")]
+EXACT = ["coupling.relative_tolerance=1e-9", "fluid.newton.relative_tolerance=1e-11"]
+
+
+@dataclass
+class Case:
+    """Bodies of one density, in steps in which they move by up to 0.4 h."""
+    scene: str
+    group: str  # what holds the bodies, and the columns of their motion
+    columns: str
+    cell: float  # h [m]
+    density_ratio: float
+    speed: float  # the largest [m/s]
+    asked: float  # mean sub-iterations
+    places: tuple[str, ...] = ()
+
+    @property
+    def step(self) -> float:
+        return 0.4 * self.cell / self.speed
+
+    def sets(self, steps: int) -> list[str]:
+        return [f"{self.group}.density={1000 * self.density_ratio}", f"time.step={self.step!r}",
+                f"time.end={steps * self.step!r}", "time.max_halvings=0", "output.fields=false", "output.interval=0",
+                *self.places]
+
+
+def one_disc(density_ratio: float, speed: float, asked: float) -> Case:
+    start = 0.04 if density_ratio > 1 else 0.005
+    return Case("settling_disc", "bodies.0", "disc", 3.125e-4, density_ratio, speed, asked, (f"bodies.0.position.1={start}",))
+
+
+def twenty_discs(density_ratio: float, speed: float, asked: float) -> Case:
+    return Case(str(ROOT / "bench" / "scenes" / "twenty_discs.toml"), "grains.0", "discs", 3.125e-4, density_ratio, speed,
+                asked)
+
+
+CASES = {
+    "one": [one_disc(2.65, 0.20, 2.1), one_disc(1.25, 0.056, 2.1), one_disc(1.01, 0.004, 2.1), one_disc(0.5, 0.09, 2.5),
+            one_disc(0.1, 0.13, 2.5), one_disc(0.01, 0.14, 3), one_disc(0, 0.14, 3)],
+    "twenty": [twenty_discs(1.25, 0.03, 2.5), twenty_discs(0.1, 0.06, 3), twenty_discs(0, 0.06, 3.5)],
+}
+QUICK = {"one": (1.25, 0.1, 0), "twenty": (0.1,)}
+
+
+def run(case: Case, sets: list[str], folder: Path) -> tuple[dict, list[dict]]:
+    """Summary and history of a run, whose status may be failed."""
+    out = folder / "run"
+    shutil.rmtree(out, ignore_errors=True)
+    command = [str(ROOT / "fpi"), "run", case.scene, "--out", str(out), "--json", *(w for s in sets for w in ("--set", s))]
+    summary = json.loads(measure(command, may_fail=True).output)
+    with (out / "history.csv").open(newline="") as text:
+        return summary, [{name: float(value) for name, value in row.items()} for row in csv.DictReader(text)]
+
+
+def velocities(case: Case, history: list[dict]) -> list[tuple[float, float]]:
+    return [(row[f"{case.columns}.vx"], row[f"{case.columns}.vy"]) for row in history]
+
+
+def largest(vectors: list[tuple[float, float]]) -> float:
+    return max((x * x + y * y) ** 0.5 for x, y in vectors)
+
+
+def per_step(summary: dict) -> float:
+    """Seconds of a step, without the start of the programs and of the mesh."""
+    return (summary["wall_seconds"]["total"] - summary["wall_seconds"]["mesh"]) / summary["steps"]
+
+
+def compare(case: Case, steps: int, folder: Path) -> list[dict]:
+    """A row a method; errors are those of the velocity (of twenty discs: their mean) against a small tolerance's."""
+    _, history = run(case, case.sets(steps) + EXACT, folder)
+    exact = velocities(case, history)
+    rows = []
+    for response, acceleration in METHODS:
+        summary, history = run(case, [*case.sets(steps), f'coupling.response="{response}"',
+                                      f'coupling.acceleration="{acceleration}"'], folder)
+        row = {"density_ratio": case.density_ratio, "response": response, "acceleration": acceleration,
+               "asked": case.asked, "status": summary["status"]}
+        if summary["status"] == "completed":
+            counts, found = [line["sub_iterations"] for line in history], velocities(case, history)
+            error = largest([(a - c, b - d) for (a, b), (c, d) in zip(found, exact)]) / largest(exact)
+            row |= {"mean": sum(counts[LEFT_OUT:]) / len(counts[LEFT_OUT:]), "most": max(counts), "first": counts[0],
+                    "solves": summary["solves"] / len(counts), "factorisations": summary["factorisations"] / len(counts),
+                    "seconds": per_step(summary), "error": error,
+                    "shift": largest(found) * case.step / case.cell}
+        rows.append(row)
+    return rows
+
+
+def over_prescribed(case: Case, steps: int, folder: Path) -> dict:
+    """Seconds of a coupled step over those of one in which the bodies are moved alike by formulas."""
+    _, history = run(case, case.sets(steps), folder)
+    x, y = velocities(case, history)[-1]
+    given = [f'{case.group}.motion="prescribed"',
+             f'{case.group}.prescribed_velocity=["{x!r}*t/{steps * case.step!r}", "{y!r}*t/{steps * case.step!r}"]']
+
+    def row(sets: list[str]) -> dict:
+        summary, _ = run(case, case.sets(steps) + sets, folder)
+        return {"seconds": per_step(summary), "factorisations": summary["factorisations"] / summary["steps"]}
+
+    coupled, prescribed = fastest_rows(ROUNDS, float("inf"), ([], given), row)
+    return {"coupled": coupled, "prescribed": prescribed, "ratio": coupled["seconds"] / prescribed["seconds"]}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("cases", nargs="*", metavar="CASE", help=f"of {', '.join(CASES)}; all where none is named")
+    parser.add_argument("--quick", action="store_true", help="some density ratios, a third of the steps")
+    parser.add_argument("--out", type=Path, default=ROOT / "runs" / "bench", metavar="DIR", help="for JSON and picture")
+    arguments = parser.parse_args()
+    names = arguments.cases or list(CASES)
+    if unknown := set(names) - set(CASES):
+        parser.error(f"a case of {', '.join(CASES)} is required; got {', '.join(unknown)}")
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    steps = {"one": 60, "twenty": 30}
+
+    results: dict = {}
+    with tempfile.TemporaryDirectory() as name:
+        for key in names:
+            count = steps[key] // 3 if arguments.quick else steps[key]
+            cases = [case for case in CASES[key] if not arguments.quick or case.density_ratio in QUICK[key]]
+            rows = [row for case in cases for row in compare(case, count, Path(name))]
+            results[key] = {"methods": rows, "cost": over_prescribed(cases[0], count, Path(name))}
+            print(coupling_results.table(key, results[key]), flush=True)
+            write_json(results, arguments.out / "coupling.json")
+            coupling_results.draw(results, arguments.out / "coupling.png")
+    print(f"{arguments.out}/coupling.json, coupling.png")
+
+
+if __name__ == "__main__":
+    main()
