@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -114,6 +115,18 @@ class Session {
     write_summary();
     log::info("{}: {}", options_.resume ? "resuming" : "starting", scene_.title);
     for (const std::string& line : grains::describe(scene_)) log::info("{}", line);
+    warn_of_stretch();
+  }
+
+  /// Softer contacts are an error that the scene asks for.
+  void warn_of_stretch() const {
+    if (!scene_.dem || scene_.dem->stretch == 1) return;
+    const double k = scene_.dem->stretch;
+    log::warning(
+        "dem.stretch = {0:g}: contacts last {0:g} times as long as the materials say; impacts overlap {0:g} "
+        "times as "
+        "far, grains at rest {1:.3g} times",
+        k, std::pow(k, scene_.dem->contact == "linear" ? 2 : 5.0 / 3));
   }
 
   void admit() {

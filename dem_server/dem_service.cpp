@@ -64,6 +64,8 @@ std::vector<std::string> notes(const Model& model) {
   std::vector<std::string> notes;
   if (model.walls.walls.empty() && model.bodies.size() == 1)
     notes.emplace_back("one body and no wall: no contact");
+  if (model.stretch > 1)
+    notes.push_back(fmt::format("contacts last {:g} times as long as the materials say", model.stretch));
   notes.emplace_back("sub-steps only while something touches or is about to");
   if (lists_every_pair(model)) notes.emplace_back("few bodies: every pair is watched, none searched for");
   return notes;
@@ -111,6 +113,7 @@ proto::State DemService::checkpoint() { return {solver().checkpoint()}; }
 proto::Figures DemService::report() {
   proto::Figures figures(ledger_.counts.begin(), ledger_.counts.end());
   for (const auto& [name, seconds] : ledger_.seconds) figures.emplace_back("seconds:" + name, seconds);
+  if (solver_ && solver_->model().stretch > 1) figures.emplace_back("stretch", solver_->model().stretch);
   return figures;
 }
 

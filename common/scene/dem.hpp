@@ -85,12 +85,15 @@ struct Dem {
   double steps_per_contact = 50;  ///< t_c over the sub-step while something touches
   double largest_sub_step = 0;    ///< [s]; 0: the coupling step
   double start_overlap = 0.01;    ///< of the smaller radius
+  std::string loads = "held";     ///< held | linear
+  double stretch = 1;             ///< of contact times
   double lost_distance = 0;       ///< [m]; 0: a thousand diagonals of the box around all at the start
   Lubrication lubrication;
   NearField near_field;
   double adhesion_range = 0.01;  ///< over R*
 
   static constexpr std::array<std::string_view, 2> contacts{"hertz", "linear"};
+  static constexpr std::array<std::string_view, 2> loads_in_time{"held", "linear"};
 
   void declare(ParameterVisitor& v) {
     launch.declare(v);
@@ -104,6 +107,18 @@ struct Dem {
          "upper limit of the sub-step; contacts shorten it by themselves where they need to; 0: the coupling "
          "step"},
         largest_sub_step, not_negative());
+    v.choice({"loads", "",
+              "force of the fluid over a step: held at that of its end, or linear from that of the step "
+              "before; linear "
+              "is of second order in the step and may take more sub-iterations"},
+             loads, loads_in_time);
+    v.real({"stretch", "",
+            "contacts last this many times as long, by softer surfaces of the same restitution, so that "
+            "sub-steps "
+            "may be as much longer; impacts overlap that many times as far: the run warns of it; 1: as the "
+            "materials "
+            "say"},
+           stretch, between(1, 1000));
     v.real({"start_overlap", "",
             "how far a free body may overlap another or a wall at the start, of the smaller radius"},
            start_overlap, between(0, 0.5));

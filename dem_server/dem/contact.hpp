@@ -7,14 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "dem/loads.hpp"
 #include "dem/neighbours.hpp"
 
 namespace fpi::dem {
-
-struct Forces {
-  std::vector<Vec3> force;   ///< [N]
-  std::vector<Vec3> torque;  ///< [N m] about the centre
-};
 
 /// What an evaluation of the contacts met.
 struct ContactCount {

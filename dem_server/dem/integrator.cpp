@@ -13,14 +13,18 @@
 namespace fpi::dem {
 namespace {
 
-constexpr double worth_flying = 4;      ///< sub-steps that a flight must save
+constexpr double worth_flying = 4;  ///< sub-steps that a flight must save
+constexpr double third = 1.0 / 3;
 constexpr double most_sub_steps = 1e8;  ///< in one step of the coupling, flights included
 
 class Integration {
  public:
-  Integration(const Model& model, const Forces& loads, std::span<const double> resolved_gaps, State& state)
+  Integration(const Model& model, const Loads& loads, std::span<const double> resolved_gaps, double duration,
+              State& state)
       : model_(model),
         loads_(loads),
+        load_(loads.start),
+        duration_(duration),
         state_(state),
         motions_(state.motions),
         films_(model, resolved_gaps),
@@ -30,13 +34,15 @@ class Integration {
     note_search();
   }
 
-  Advanced run(double duration) {
-    for (left_ = duration; left_ > 0 && outcome_.converged;) {
+  Advanced run() {
+    for (left_ = duration_; left_ > 0 && outcome_.converged;) {
       write_scene_ordered();
       Outlook ahead{left_};
-      look_ahead_pairs(model_, *state_.neighbours, particles_, motions_.position, ahead);
-      look_ahead_walls(model_, state_, loads_, ahead);
-      const double film_step = films_.longest_step(state_, loads_);
+      const double film_step = least_under_loads([&] {
+        look_ahead_pairs(model_, *state_.neighbours, particles_, motions_.position, ahead);
+        look_ahead_walls(model_, state_, load_, ahead);
+        return films_.longest_step(state_, load_);
+      });
       films_.place(state_);
       const bool flies = std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step;
       if (flies && films_.empty()) {
@@ -59,14 +65,17 @@ class Integration {
     const double before_contact =
         std::isinf(ahead.free_time) ? ahead.free_time : ahead.free_time - ahead.contact_step;
     const double wanted = std::min({left_, before_contact, film_step, model_.largest_sub_step});
-    const double within_skin = time_within_skin(*state_.neighbours, state_.wall_contacts, particles_);
+    const double within_skin = least_under_loads(
+        [&] { return time_within_skin(*state_.neighbours, state_.wall_contacts, particles_); });
     const bool moved = farthest_moved(*state_.neighbours, particles_) > 0 || state_.wall_contacts.moved > 0;
     if (within_skin < wanted && moved) return search_neighbours();
     const double duration = std::min(wanted, within_skin);
     if (!is_affordable(left_ / duration)) return;
     forces_stand_ = false;
     sweep({.clear = true});
+    load_at(left_ - third * duration);
     move({.kick = 0.5 * duration, .drift = duration});
+    load_at(left_ - 2 * third * duration);
     sweep({.kick = 0.5 * duration});
     left_ -= duration;
     steps_left_ = 0;
@@ -83,11 +92,14 @@ class Integration {
     if (!forces_stand_) find_forces_at_start();
     double batch = films_.empty() ? std::min(steps_left_, std::ceil(model_.steps_per_contact)) : 1;
     const std::uint64_t searches = outcome_.searches;
+    load_at((steps_left_ - third) * dt_);
     for (double kick = 0.5 * dt_; batch > 0 && outcome_.converged && outcome_.searches == searches; --batch) {
       --steps_left_;
       films_.empty() ? sub_step(kick) : sub_step_with_films();
+      load_at(steps_left_ * dt_);
       kick = dt_;
     }
+    load_at((steps_left_ + third) * dt_);
     if (films_.empty()) sweep({.kick = 0.5 * dt_});
     left_ = steps_left_ * dt_;
   }
@@ -117,9 +129,29 @@ class Integration {
     sweep({.extrapolate = 0.5 * dt_, .clear = true});
     damp(particles_.now);
     find_forces(dt_);
+    load_at((steps_left_ + third) * dt_);
     sweep({.kick = 0.5 * dt_});
     damp(particles_.half);
     ++outcome_.sub_steps;
+  }
+
+  /// The loads `left` [s] before the end of the step. Half kicks take linear ones at the thirds of the
+  /// sub-step on their side, which moves a free body exactly; a kick from middle to middle takes those
+  /// between.
+  void load_at(double left) {
+    if (loads_.held()) return;
+    load_ = loads_.at(1 - left / duration_);
+    particles_.set_loads(model_, load_);
+  }
+
+  /// The least that `find` gives under the loads now and at the end: linear ones are never beyond both.
+  template <class Find>
+  double least_under_loads(Find find) {
+    if (loads_.held()) return find();
+    load_at(0);
+    const double at_end = find();
+    load_at(left_);
+    return std::min(at_end, find());
   }
 
   double sweep(const Sweep& pass) { return pass(particles_, motions_.orientation); }
@@ -208,7 +240,7 @@ class Integration {
 
   Particles begin() {
     if (!state_.neighbours || state_.neighbours->reach < reach()) find_neighbours(model_, reach(), state_);
-    return {model_, motions_, loads_, state_.neighbours->order};
+    return {model_, motions_, load_, state_.neighbours->order};
   }
 
   void search_neighbours() {
@@ -260,7 +292,9 @@ class Integration {
   }
 
   const Model& model_;
-  const Forces& loads_;
+  const Loads& loads_;
+  Forces load_;      ///< at the moment
+  double duration_;  ///< [s] of the step
   State& state_;
   Motions& motions_;
   Films films_;
@@ -280,9 +314,9 @@ class Integration {
 
 }  // namespace
 
-Advanced integrate(const Model& model, const Forces& loads, std::span<const double> resolved_gaps,
+Advanced integrate(const Model& model, const Loads& loads, std::span<const double> resolved_gaps,
                    double duration, State& state) {
-  return Integration(model, loads, resolved_gaps, state).run(duration);
+  return Integration(model, loads, resolved_gaps, duration, state).run();
 }
 
 }  // namespace fpi::dem

@@ -22,10 +22,10 @@ struct Advanced {
   std::uint64_t searches = 0;   ///< for neighbours
 };
 
-/// Advances `state` by `duration` [s] under `loads`, the constant part of the forces (weight, fluid). Bodies
+/// Advances `state` by `duration` [s] under `loads`, weight included. Bodies
 /// that are not free keep their velocities and spins; `resolved_gaps` as of Films. A pure function of its
 /// arguments, bitwise.
-Advanced integrate(const Model& model, const Forces& loads, std::span<const double> resolved_gaps,
+Advanced integrate(const Model& model, const Loads& loads, std::span<const double> resolved_gaps,
                    double duration, State& state);
 
 }  // namespace fpi::dem

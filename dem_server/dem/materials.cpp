@@ -33,6 +33,15 @@ PairLaw combine(const scene::Material& a, const scene::Material& b, Elasticity e
           .adhesion = std::sqrt(a.adhesion * b.adhesion)};
 }
 
+std::vector<scene::Material> stretched(std::vector<scene::Material> materials, double stretch) {
+  if (stretch == 1) return materials;
+  for (scene::Material& m : materials) {
+    m.youngs_modulus *= std::pow(stretch, -2.5);
+    m.normal_stiffness /= stretch * stretch;
+  }
+  return materials;
+}
+
 LawTable::LawTable(const std::vector<scene::Material>& materials, Elasticity elasticity)
     : n_(materials.size()) {
   for (const auto& a : materials) {

@@ -14,6 +14,10 @@ namespace fpi::dem {
 PairLaw combine(const scene::Material& a, const scene::Material& b,
                 Elasticity elasticity = Elasticity::hertz);
 
+/// Materials so much softer that every impact lasts `stretch` times as long, as t_c goes with E^(−2/5) and
+/// k_n^(−1/2). Damping ratios, and with them restitutions, stay; impacts overlap `stretch` times as far.
+std::vector<scene::Material> stretched(std::vector<scene::Material> materials, double stretch);
+
 /// The law of every pair of materials, by their indices.
 class LawTable {
  public:

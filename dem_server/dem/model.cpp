@@ -126,12 +126,14 @@ Model make_model(const Problem& problem) {
   }
   for (const auto& wall : problem.walls) add_wall(problem, wall, model.walls);
   model.elasticity = problem.dem.contact == "linear" ? Elasticity::linear : Elasticity::hertz;
-  model.laws = LawTable(problem.materials, model.elasticity);
+  model.laws = LawTable(stretched(problem.materials, problem.dem.stretch), model.elasticity);
   const scene::Lubrication& lubrication = problem.dem.lubrication;
   model.lubricant = {lubrication.viscosity.value_or(0) * (model.plane ? problem.thickness : 1),
                      lubrication.roughness, problem.hydraulic_radius_ratio};
   model.near_field = problem.dem.near_field;
   model.adhesion_range = problem.dem.adhesion_range;
+  model.stretch = problem.dem.stretch;
+  model.loads_are_linear = problem.dem.loads == "linear";
   model.start_overlap = problem.dem.start_overlap;
   model.expected = expected_places(problem, model.walls);
   return model;

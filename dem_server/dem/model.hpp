@@ -72,8 +72,10 @@ struct Model {
   Lubricant lubricant;
   scene::NearField near_field;
   double adhesion_range = 0;  ///< gap at which adhesion ends, over R*
-  double start_overlap = 0;   ///< allowed, of the smaller radius
-  Box expected;               ///< a free body outside is lost
+  double stretch = 1;         ///< of contact times
+  bool loads_are_linear = false;
+  double start_overlap = 0;  ///< allowed, of the smaller radius
+  Box expected;              ///< a free body outside is lost
 };
 
 /// Throws Error naming the body, wall or material at fault: names twice, an unknown material, a free body

@@ -32,7 +32,6 @@ Particles::Particles(const Model& model, const Motions& motions, const Forces& l
   half.resize(n);
   now.resize(n);
   push.resize(n);
-  if (!is_weight_only(model, loads)) load.resize(n);
   turned.assign(n, Record::Zero());
   material.resize(n);
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -41,9 +40,19 @@ Particles::Particles(const Model& model, const Motions& motions, const Forces& l
     place[k] = join(motions.position[i], R);
     half[k] = {join(motions.velocity[i], im), join(motions.spin[i], inertia)};
     now[k] = {join(motions.velocity[i], im), join(motions.spin[i], R)};
-    if (!load.empty()) load[k] = {join(im * loads.force[i], 0), join(inertia * loads.torque[i], 0)};
     turned[k] = join(motions.orientation[i].since, 0);
     material[k] = static_cast<std::uint16_t>(bodies.material[i]);
+  }
+  set_loads(model, loads);
+}
+
+void Particles::set_loads(const Model& model, const Forces& loads) {
+  load.resize(is_weight_only(model, loads) ? 0 : place.size());
+  if (load.empty()) return;
+  for (std::size_t k = 0; k < size(); ++k) {
+    const std::uint32_t i = body[k];
+    load[k] = {join(model.bodies.inverse_mass[i] * loads.force[i], 0),
+               join(model.bodies.inverse_inertia[i] * loads.torque[i], 0)};
   }
 }
 

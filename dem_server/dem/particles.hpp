@@ -22,7 +22,7 @@ struct Particles {
   std::vector<Twin> push;           ///< force [N] and moment [N m] of the contacts
   std::vector<Twin> load;  ///< acceleration [m/s²] and angular [rad/s²] by what is held; empty: weight only
   Record gravity;          ///< [m/s²], and 0
-  std::vector<Record> turned;       ///< Orientation::since
+  std::vector<Record> turned;  ///< Orientation::since
   std::vector<std::uint16_t> material;
 
   std::size_t size() const { return body.size(); }
@@ -37,6 +37,8 @@ struct Particles {
   /// The bodies in the order given.
   Particles(const Model& model, const Motions& motions, const Forces& loads,
             const std::vector<std::uint32_t>& order);
+  /// Takes up what is held from now on.
+  void set_loads(const Model& model, const Forces& loads);
   /// Entry k becomes what entry order[k] was.
   void reorder(const std::vector<std::uint32_t>& order);
   /// Places, velocities and spins of `half`, and turns, back to the scene's order.

@@ -103,13 +103,13 @@ std::vector<std::uint32_t> Solver::contacts() const {
 
 /// The whole weight m g, as the fluid's force includes the buoyancy; in a plane scene only what acts in the
 /// plane. Added inertia moves with the body: (m + m_a) dv/dt = F + m_a (V − v_n)/Δt, which is F alone where
-/// the body ends with V.
+/// the body ends with V. Linear loads go on from where those of the last accepted step ended; those of the
+/// first are held.
 void Solver::set_loads(std::span<const Load> loads, double time_step) {
   Bodies& bodies = model_.bodies;
-  loads_.torque.assign(bodies.size(), Vec3::Zero());
-  loads_.force.resize(bodies.size());
+  Forces others(bodies.size()), exerted(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    loads_.force[i] = bodies.mass[i] * model_.gravity;
+    others.force[i] = bodies.mass[i] * model_.gravity;
     bodies.set_added(i, 0, 0);
   }
   for (const Load& load : loads) {
@@ -119,13 +119,23 @@ void Solver::set_loads(std::span<const Load> loads, double time_step) {
     const Vec3 torque_axes = model_.plane ? Vec3(0, 0, 1) : Vec3(1, 1, 1);
     const Vec3 force = load.added_mass / time_step * (load.velocity - trial_.motions.velocity[i]);
     const Vec3 torque = load.added_inertia / time_step * (load.spin - trial_.motions.spin[i]);
-    loads_.force[i] += (load.force + force).cwiseProduct(force_axes);
-    loads_.torque[i] += (load.torque + torque).cwiseProduct(torque_axes);
+    exerted.force[i] += load.force.cwiseProduct(force_axes);
+    exerted.torque[i] += load.torque.cwiseProduct(torque_axes);
+    others.force[i] += force.cwiseProduct(force_axes);
+    others.torque[i] += torque.cwiseProduct(torque_axes);
     bodies.set_added(i, load.added_mass, load.added_inertia);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i)
     require(!bodies.is_free(i) || std::isfinite(bodies.inverse_mass[i]),
             "free body {} has no mass, and no fluid adds any: give it a density", bodies.name[i]);
+  loads_ = {.start = std::move(others), .growth = {}};
+  const bool grows = model_.loads_are_linear && !accepted_.loads.empty();
+  loads_.start.add(1, grows ? accepted_.loads : exerted);
+  if (grows) {
+    loads_.growth = exerted;
+    loads_.growth.add(-1, accepted_.loads);
+  }
+  if (model_.loads_are_linear) trial_.loads = std::move(exerted);
 }
 
 /// Bodies that are not free have the velocity of the way they go, and the mean of their spins.

@@ -10,9 +10,9 @@
 
 namespace fpi::dem {
 
-/// Held over the step, besides weight and contacts. A fluid that resists a change of motion adds inertia: for
-/// a body that would end the step with another velocity than the load goes with, the load changes by
-/// −added_mass (v − velocity)/Δt.
+/// What a fluid exerts, besides weight and contacts: held over the step, or at its end (dem.loads). A fluid
+/// that resists a change of motion adds inertia: for a body that would end the step with another velocity
+/// than the load goes with, the load changes by −added_mass (v − velocity)/Δt.
 struct Load {
   std::uint32_t body = 0;
   Vec3 force = Vec3::Zero();                          ///< [N]
@@ -71,7 +71,7 @@ class Solver {
 
   Model model_;
   State accepted_, trial_;
-  Forces loads_;  ///< weight included
+  Loads loads_;  ///< weight included
 };
 
 }  // namespace fpi::dem

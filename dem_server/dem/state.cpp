@@ -7,9 +7,10 @@
 namespace fpi::dem {
 namespace {
 
-constexpr std::uint64_t magic = 0x34534d4544495046;  // "FPIDEMS4"
+constexpr std::uint64_t magic = 0x35534d4544495046;  // "FPIDEMS5"
 constexpr std::size_t body_size = 13 * sizeof(double);
 constexpr std::size_t contact_size = 2 * sizeof(std::uint32_t) + 7 * sizeof(double);
+constexpr std::size_t load_size = 6 * sizeof(double);
 constexpr std::size_t wall_size = 10 * sizeof(double);
 
 class Writer : public ByteWriter {
@@ -89,14 +90,15 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   const Motions& motions = state.motions;
   const std::size_t n = motions.position.size();
   const std::size_t n_pairs = state.contacts.places.size(), n_touched = state.wall_contacts.places.size();
-  const std::size_t n_walls = state.wall_contacts.motions.size();
-  write.bytes.reserve(5 * sizeof(std::uint64_t) + n * body_size + n_walls * wall_size +
+  const std::size_t n_walls = state.wall_contacts.motions.size(), n_loads = state.loads.force.size();
+  write.bytes.reserve(6 * sizeof(std::uint64_t) + n * body_size + n_walls * wall_size + n_loads * load_size +
                       (n_pairs + n_touched) * contact_size);
   write.put(magic);
   write.put(std::uint64_t{n});
   write.put(std::uint64_t{n_pairs});
   write.put(std::uint64_t{n_touched});
   write.put(std::uint64_t{n_walls});
+  write.put(std::uint64_t{n_loads});
   for (std::size_t i = 0; i < n; ++i) {
     write.put(motions.position[i]);
     write.put(motions.orientation[i].base);
@@ -108,6 +110,10 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
     write.put(wall.orientation);
     write.put(wall.spin);
   }
+  for (std::size_t i = 0; i < n_loads; ++i) {
+    write.put(state.loads.force[i]);
+    write.put(state.loads.torque[i]);
+  }
   write.put(state.contacts);
   write.put(state.wall_contacts);
   return std::move(write.bytes);
@@ -118,13 +124,15 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
   require(read.get<std::uint64_t>() == magic, "a state of this DEM is required; got other bytes");
   const auto n = read.get<std::uint64_t>();
   const auto n_pairs = read.get<std::uint64_t>(), n_touched = read.get<std::uint64_t>();
-  const auto n_walls = read.get<std::uint64_t>();
+  const auto n_walls = read.get<std::uint64_t>(), n_loads = read.get<std::uint64_t>();
   require(n == model.bodies.size() && n_walls == model.walls.walls.size(),
           "a state of {} bodies and {} walls is required; got {} and {}: resume the scene it was written by",
           model.bodies.size(), model.walls.walls.size(), n, n_walls);
+  require(n_loads == 0 || n_loads == n, "a DEM state of {} bodies cannot have {} loads", n, n_loads);
   const std::uint64_t most = read.left() / contact_size;
   require(n_pairs <= most && n_touched <= most &&
-              read.left() == n * body_size + n_walls * wall_size + (n_pairs + n_touched) * contact_size,
+              read.left() == n * body_size + n_walls * wall_size + n_loads * load_size +
+                                 (n_pairs + n_touched) * contact_size,
           "a DEM state of {} bodies and {} contacts has another length than the {} bytes that came", n,
           n_pairs + n_touched, bytes.size());
   State state;
@@ -139,6 +147,10 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
     wall.position = read.vector();
     wall.orientation = read.quaternion();
     wall.spin = read.vector();
+  }
+  for (std::size_t i = 0; i < n_loads; ++i) {
+    state.loads.force.push_back(read.vector());
+    state.loads.torque.push_back(read.vector());
   }
   read.contacts(n_pairs, n, n, state.contacts);
   read.contacts(n_touched, n, model.walls.facets.size(), state.wall_contacts);

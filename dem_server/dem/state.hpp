@@ -14,6 +14,7 @@ struct State {
   Motions motions;
   ContactList<Pair> contacts;  ///< of the bodies that touch each other
   WallContacts wall_contacts;
+  Forces loads;  ///< of the fluid at the end of the last step, where they are linear; empty before the first
   std::shared_ptr<const Neighbours> neighbours;  ///< none: a search is due
 };
 

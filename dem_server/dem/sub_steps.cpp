@@ -87,7 +87,8 @@ void look_ahead_pairs(const Model& model, const Neighbours& neighbours, const Pa
 }
 
 void look_ahead_walls(const Model& model, const State& state, const Forces& loads, Outlook& outlook) {
-  const auto& [motions, contacts, wall_contacts, neighbours] = state;
+  const Motions& motions = state.motions;
+  const WallContacts& wall_contacts = state.wall_contacts;
   for (const WallPlace& place : wall_contacts.places) {
     const Near here = near(model, motions.position, wall_contacts.motions, place);
     const Vec3 velocity = motions.velocity[here.a] - here.frame.velocity;

@@ -124,6 +124,34 @@ TEST(Impact, restitution_is_the_same_at_every_speed_and_on_a_wall) {
   }
 }
 
+/// Peak overlaps, speeds after the impact and sub-steps of balls that fall on a floor.
+TEST(Impact, stretched_contacts_last_and_overlap_k_times_as_much_and_rebound_alike) {
+  for (const std::string contact : {"hertz", "linear"}) {
+    const auto fall = [&](double stretch, double duration) {
+      Problem problem;
+      problem.materials = {material(1e9, 0.3, 0.6)};
+      problem.materials[0].normal_stiffness = 1e6;
+      problem.dem.contact = contact;
+      problem.dem.stretch = stretch;
+      problem.walls = {test::wall("floor", {0, 0, 0}, {0, 1, 0})};
+      problem.bodies = {body("ball", "sphere", 0.01, 2500, {0, 0.01 + 1e-8, 0}, {0, -1, 0})};
+      Solver solver(problem);
+      const Advanced outcome = test::step(solver, duration);
+      return std::tuple{outcome.largest_overlap, solver.motions().velocity[0].y(), double(outcome.contacts)};
+    };
+    const double t_c = contact == "hertz" ? 3.7e-4 : 3.2e-4;
+    const auto [overlap, speed, touching] = fall(1, 1.5 * t_c);
+    const auto [wide, same, parted] = fall(4, 6 * t_c);
+    EXPECT_EQ(touching + parted, 0);
+    EXPECT_NEAR(wide / overlap, 4, 0.01) << contact;
+    EXPECT_NEAR(speed, 0.6, 3e-3) << contact;
+    EXPECT_NEAR(same, speed, 1e-3) << contact;
+    for (const double share : {0.2, 0.4, 0.6})  // the same motion, four times slower
+      EXPECT_NEAR(std::get<1>(fall(4, 4 * share * t_c)), std::get<1>(fall(1, share * t_c)), 5e-3)
+          << contact << share;
+  }
+}
+
 TEST(Impact, chung_and_ooi_1_elastic_spheres) {
   struct Case {
     double modulus, poisson, density, force, overlap, duration;

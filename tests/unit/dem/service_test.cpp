@@ -97,6 +97,13 @@ TEST(DemService, ends_the_run_when_an_accepted_step_has_lost_a_body) {
   }
 }
 
+TEST(DemService, says_that_contacts_are_stretched) {
+  DemService service;
+  EXPECT_EQ(service.configure({.scene = scene + "[dem]\nstretch = 4\n"}).notes.at(0),
+            "contacts last 4 times as long as the materials say");
+  EXPECT_EQ(service.report().back(), (proto::Figures::value_type{"stretch", 4}));
+}
+
 TEST(DemService, refuses_what_it_cannot_do) {
   DemService service;
   EXPECT_THROW(service.advance({}, fall(0.1)), Error);

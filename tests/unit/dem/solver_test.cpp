@@ -274,10 +274,11 @@ TEST(Solver, refuses_damaged_state) {
   EXPECT_NE(refused([](auto& b) { b[0] ^= 1; }), "");
   EXPECT_NE(refused([&](auto& b) { put(b, 8, std::uint64_t{24}); }), "");
   EXPECT_NE(refused([&](auto& b) { put(b, 16, ~std::uint64_t{0}); }), "");
-  EXPECT_NE(refused([&](auto& b) { put(b, 40, double{NAN}); }), "");
-  EXPECT_NE(refused([&](auto& b) { put(b, 56, 1.0); }), "") << "z of a disc";
-  EXPECT_NE(refused([&](auto& b) { put(b, 64, 2.0); }), "") << "w of a quaternion";
-  EXPECT_NE(refused([&](auto& b) { put(b, 40 + (25 * 13 + 3 * 10) * 8, std::uint32_t{900}); }), "")
+  EXPECT_NE(refused([&](auto& b) { put(b, 40, std::uint64_t{7}); }), "") << "loads";
+  EXPECT_NE(refused([&](auto& b) { put(b, 48, double{NAN}); }), "");
+  EXPECT_NE(refused([&](auto& b) { put(b, 64, 1.0); }), "") << "z of a disc";
+  EXPECT_NE(refused([&](auto& b) { put(b, 72, 2.0); }), "") << "w of a quaternion";
+  EXPECT_NE(refused([&](auto& b) { put(b, 48 + (25 * 13 + 3 * 10) * 8, std::uint32_t{900}); }), "")
       << "a contact";
 }
 
