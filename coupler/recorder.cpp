@@ -24,6 +24,8 @@ std::vector<std::string> history_columns(const scene::Scene& scene) {
   for (const scene::Probe& probe : scene.probes) columns.push_back(probe.name);
   for (const scene::Coefficients& coefficients : scene.coefficients)
     for (const char* quantity : {"drag", "lift"}) columns.push_back(column_of(coefficients, quantity));
+  for (std::size_t e = 0; has_energies(scene) && e < scene::Dem::energies.size(); ++e)
+    columns.push_back(scene::energy_column(e));
   return columns;
 }
 
@@ -113,6 +115,7 @@ void Recorder::record_step(double time, const Attempt& attempt, const Simulation
     line.insert(line.end(), {load.fx, load.fy, load.torque});
   line.insert(line.end(), reported.probes.begin(), reported.probes.end());
   for (const DragLift& c : reported.coefficients) line.insert(line.end(), {c.drag, c.lift});
+  line.insert(line.end(), reported.energies.begin(), reported.energies.end());
   history_.append(line);
 }
 

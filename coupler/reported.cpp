@@ -59,6 +59,8 @@ Reported reported(const scene::Scene& scene, const Simulation& simulation) {
     values.boundaries.push_back(boundary_load(simulation, name));
   for (const scene::Coefficients& asked : scene.coefficients)
     values.coefficients.push_back(drag_lift(asked, scene, simulation));
+  for (std::size_t e = 0; has_energies(scene) && e < scene::Dem::energies.size(); ++e)
+    values.energies.push_back(figure_or_nan(simulation, scene::energy_column(e)));
   return values;
 }
 

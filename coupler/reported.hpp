@@ -1,4 +1,4 @@
-/// What is reported with every step besides the bodies: probes, loads of boundaries, drag and lift.
+/// What is reported with every step besides the bodies: probes, loads of boundaries, drag and lift, energies.
 #pragma once
 
 #include <string>
@@ -24,10 +24,16 @@ struct Reported {
   std::vector<double> probes;
   std::vector<BoundaryLoad> boundaries;  ///< in the order of `holding_boundaries`
   std::vector<DragLift> coefficients;
+  std::vector<double> energies;  ///< [J] of the grains, where the scene keeps an account
 };
 
 /// The named boundaries on which the velocity is given, wholly or in part.
 std::vector<std::string> holding_boundaries(const scene::Scene& scene);
+
+/// Whether the grains' energies are written.
+inline bool has_energies(const scene::Scene& scene) {
+  return scene.needs_dem() && scene.dem && scene.dem->energy;
+}
 
 /// Name of the column of a coefficient, "drag" or "lift".
 std::string column_of(const scene::Coefficients& coefficients, const std::string& quantity);

@@ -33,8 +33,8 @@ class Simulation {
 
   std::uint64_t steps() const { return steps_; }  ///< accepted so far
   const CoupledState& state() const { return accepted_; }
-  /// What the fluid reported with the last accepted step: probes and boundary forces. Nothing where it did
-  /// not, as for a probe that a body covers for a while.
+  /// What a participant reported with the last accepted step: probes, boundary forces, energies. Nothing
+  /// where it did not, as for a probe that a body covers for a while.
   std::optional<double> figure(const std::string& name) const { return solvers_.figure(name); }
 
   /// All that the following steps depend on, participants apart.

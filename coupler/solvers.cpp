@@ -205,15 +205,18 @@ void Solvers::take_motions(const std::vector<proto::Motion>& motions, CoupledSta
 }
 
 void Solvers::accept(const CoupledState& state) {
+  figures_.clear();
+  const auto take = [this](const proto::Accepted& accepted) {
+    figures_.insert(accepted.figures.begin(), accepted.figures.end());
+  };
   if (participants_.fluid) {
-    const proto::Figures figures = participants_.fluid->accept().figures;
-    figures_ = {figures.begin(), figures.end()};
+    take(participants_.fluid->accept());
     std::vector<proto::ArcLength> lengths;
     for (const proto::Traction& t : state.tractions)
       lengths.push_back({.body = t.body, .length = t.arc_length});
     take_arc_lengths(lengths);
   }
-  if (participants_.dem) participants_.dem->accept();
+  if (participants_.dem) take(participants_.dem->accept());
 }
 
 void Solvers::restore() {

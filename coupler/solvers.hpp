@@ -49,7 +49,7 @@ class Solvers {
   /// [m] that the fluid wants for the interface mesh, one a body.
   const std::vector<double>& arc_lengths() const { return arc_lengths_; }
   void set_arc_lengths(const std::vector<double>& lengths) { arc_lengths_ = lengths; }
-  /// What the fluid reported with the last accepted step.
+  /// What a participant reported with the last accepted step.
   std::optional<double> figure(const std::string& name) const;
 
  private:

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/error.hpp"
 #include "grains/expand.hpp"
 #include "scene/scene.hpp"
@@ -103,7 +106,15 @@ proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdva
 proto::Accepted DemService::accept() {
   solver().accept();
   solver().check_none_lost(time_);
-  return {};
+  return {.figures = energies()};
+}
+
+proto::Figures DemService::energies() const {
+  proto::Figures figures;
+  const auto account = solver_ ? solver_->energies() : std::nullopt;
+  for (std::size_t e = 0; account && e < account->size(); ++e)
+    figures.emplace_back(scene::energy_column(e), (*account)[e]);
+  return figures;
 }
 
 void DemService::restore() { solver().restore(); }
@@ -113,6 +124,7 @@ proto::State DemService::checkpoint() { return {solver().checkpoint()}; }
 proto::Figures DemService::report() {
   proto::Figures figures(ledger_.counts.begin(), ledger_.counts.end());
   for (const auto& [name, seconds] : ledger_.seconds) figures.emplace_back("seconds:" + name, seconds);
+  std::ranges::copy(energies(), std::back_inserter(figures));
   if (solver_ && solver_->model().stretch > 1) figures.emplace_back("stretch", solver_->model().stretch);
   return figures;
 }

@@ -20,6 +20,7 @@ class DemService : public proto::DemParticipant {
 
  private:
   Solver& solver();
+  proto::Figures energies() const;
 
   std::optional<Solver> solver_;
   double time_ = 0;  ///< [s] at the end of the last step tried

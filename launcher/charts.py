@@ -61,7 +61,7 @@ def profiles(curves: dict[str, results.Curve], quantities: dict[str, str], extre
 
 
 def panels(history: dict[str, np.ndarray]) -> list[tuple[str, list[str], bool]]:
-    """Label, columns and whether logarithmic: forces, coefficients, probes, iterations, residuals; columns without
+    """Label, columns and whether logarithmic: forces, energies, coefficients, probes, iterations, residuals; columns without
     a value other than zero are left out."""
     own = {"time", "step", "sub_iterations", "residual_velocity", "residual_force", "newton_iterations"}
     forces = [name for name in history if name.endswith((".fx", ".fy"))]
@@ -69,6 +69,7 @@ def panels(history: dict[str, np.ndarray]) -> list[tuple[str, list[str], bool]]:
     others = [name for name in history if name not in own and "." not in name and name not in sum(coefficients, [])]
     wanted = [(f"{names[0].split('.')[-1]} coefficient", names, False) for names in coefficients if names]
     wanted += [("force [N]", forces, False)]
+    wanted += [("energy [J]", [name for name in history if name.startswith("energy.")], False)]
     wanted += [(name, [name], False) for name in others]
     wanted += [("iterations a step", ["sub_iterations", "newton_iterations"], False),
                ("relative change", ["residual_velocity", "residual_force"], True)]

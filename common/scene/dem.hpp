@@ -86,6 +86,7 @@ struct Dem {
   double largest_sub_step = 0;    ///< [s]; 0: the coupling step
   double start_overlap = 0.01;    ///< of the smaller radius
   std::string loads = "held";     ///< held | linear
+  bool energy = false;            ///< whether the account of energies is kept
   double stretch = 1;             ///< of contact times
   double lost_distance = 0;       ///< [m]; 0: a thousand diagonals of the box around all at the start
   Lubrication lubrication;
@@ -93,6 +94,10 @@ struct Dem {
   double adhesion_range = 0.01;  ///< over R*
 
   static constexpr std::array<std::string_view, 2> contacts{"hertz", "linear"};
+  /// Entries of the account: had, lost to each cause, supplied by each, and the error of the steps.
+  static constexpr std::array<std::string_view, 10> energies{"kinetic",  "potential", "elastic", "damping",
+                                                             "friction", "turning",   "films",   "loads",
+                                                             "walls",    "numerical"};
   static constexpr std::array<std::string_view, 2> loads_in_time{"held", "linear"};
 
   void declare(ParameterVisitor& v) {
@@ -112,6 +117,10 @@ struct Dem {
               "before; linear "
               "is of second order in the step and may take more sub-iterations"},
              loads, loads_in_time);
+    v.boolean(
+        {"energy", "",
+         "keep an account of energies: columns energy.kinetic, … of history.csv [J], see docs/grains.md"},
+        energy);
     v.real({"stretch", "",
             "contacts last this many times as long, by softer surfaces of the same restitution, so that "
             "sub-steps "
@@ -133,5 +142,8 @@ struct Dem {
             lubrication);
   }
 };
+
+/// Column of history.csv, and name of the figure of a participant, of an entry of Dem::energies.
+inline std::string energy_column(std::size_t entry) { return "energy." + std::string(Dem::energies[entry]); }
 
 }  // namespace fpi::scene

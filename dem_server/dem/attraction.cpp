@@ -86,10 +86,18 @@ double widest_attraction(const Model& model) {
   return widest;
 }
 
-void add_attractions(const Model& model, const State& state, Forces& forces) {
+void add_attractions(const Model& model, const State& state, Forces& forces, ContactCount& count) {
   if (!model.near_field.acts() && !model.laws.adhesive()) return;
   each_acting(model, state, widest_attraction(model), [&](const Near& near) {
-    const Vec3 force = attraction(model, near) * near.at.normal;
+    const double pull = attraction(model, near);
+    const Vec3 force = pull * near.at.normal;
+    if (model.accounts_energy)
+      count.forces.push_back({.a = near.a,
+                              .b = near.b,
+                              .normal = near.at.normal,
+                              .elastic = -pull,
+                              .wall_velocity = near.frame.velocity,
+                              .wall_spin = near.frame.spin});
     forces.force[near.a] += force;
     if (!near.wall()) forces.force[near.b] -= force;
   });

@@ -19,7 +19,7 @@ double attraction_reach(const Model& model, const Near& near);
 /// The widest such gap of any pair [m]; 0 where there is none.
 double widest_attraction(const Model& model);
 
-/// Adds the attractions of all that is near to `forces`.
-void add_attractions(const Model& model, const State& state, Forces& forces);
+/// Adds the attractions of all that is near to `forces`, and to those that `count` records.
+void add_attractions(const Model& model, const State& state, Forces& forces, ContactCount& count);
 
 }  // namespace fpi::dem

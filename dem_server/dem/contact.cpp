@@ -50,29 +50,53 @@ double inertia(const Bodies& bodies, std::uint32_t body) {
   return bodies.inverse_inertia[body] > 0 ? 1 / bodies.inverse_inertia[body] : 0;
 }
 
+/// What acts along the surface of a contact, and against turning in it.
+struct Traction {
+  Vec3 friction = Vec3::Zero();    ///< [N] on the body
+  Vec3 resistance = Vec3::Zero();  ///< [N m]
+};
+
 template <class Elastic>
-void add_friction(const Model& model, const Contact& contact, const PairLaw& law, const Normal& state,
-                  double N, const Velocities& velocities, double stretch_time, Memory& memory,
-                  Forces& forces) {
+Traction rub(const Model& model, const Contact& contact, const PairLaw& law, const Normal& state, double N,
+             const Velocities& velocities, double stretch_time, Memory& memory) {
+  Traction traction;
   const Spring tangential = tangential_spring<Elastic>(law, state);
   if (law.friction > 0) {
     follow(contact, stretch_time * contact.sliding(velocities.middle, velocities.middle_spin), memory.slip);
     const Vec3 rate = contact.sliding(velocities.now, velocities.now_spin);
-    contact.drag(stick_slip(tangential, law.friction * N, rate, memory.slip), forces);
+    traction.friction = stick_slip(tangential, law.friction * N, rate, memory.slip);
   }
-  if (law.rolling_friction == 0 && law.twisting_friction == 0) return;
+  if (law.rolling_friction == 0 && law.twisting_friction == 0) return traction;
   const Spring turning = turning_spring(law, state, tangential, inertia(model.bodies, contact.a));
   const Vec3 middle = contact.turning(velocities.middle_spin), now = contact.turning(velocities.now_spin);
   if (law.rolling_friction > 0) {
     follow(contact, stretch_time * contact.along(middle), memory.roll);
     const double limit = law.rolling_friction * state.radius * N;
-    contact.twist(stick_slip(turning, limit, contact.along(now), memory.roll), forces);
+    traction.resistance += stick_slip(turning, limit, contact.along(now), memory.roll);
   }
   if (law.twisting_friction > 0) {
     memory.twist += stretch_time * middle.dot(contact.normal);
     const double limit = law.twisting_friction * state.radius * N;
-    contact.twist(stick_slip(turning, limit, now.dot(contact.normal), memory.twist) * contact.normal, forces);
+    traction.resistance += stick_slip(turning, limit, now.dot(contact.normal), memory.twist) * contact.normal;
   }
+  return traction;
+}
+
+/// For the account of energies: what of the normal force N is elastic is what there would be without damping.
+template <class Elastic>
+ContactForce recorded(const Near& near, const Contact& contact, const Normal& state, double sub_step,
+                      double N) {
+  PairLaw undamped = near.law;
+  undamped.damping_ratio = 0;
+  const double elastic = normal_force<Elastic>(undamped, state, sub_step);
+  return {.a = near.a,
+          .normal = near.at.normal,
+          .elastic = elastic,
+          .damping = N - elastic,
+          .arm_a = contact.arm,
+          .arm_b = -contact.arm,
+          .wall_velocity = near.frame.velocity,
+          .wall_spin = near.frame.spin};
 }
 
 }  // namespace
@@ -90,7 +114,7 @@ Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3
 
 template <class Elastic>
 bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
-                 Memory& memory, Forces& forces) {
+                 Memory& memory, Forces& forces, ContactCount& count) {
   if (near.at.gap > sub_step.reach) {
     if (!memory.empty()) memory = Memory{};
     return false;
@@ -103,10 +127,18 @@ bool add_contact(const Model& model, const Near& near, const Velocities& velocit
   const double N = normal_force<Elastic>(near.law, state, sub_step.duration);
   contact.press(-N * near.at.normal, forces);
   const bool touches = state.overlap > 0;
+  if (model.accounts_energy)
+    count.forces.push_back(recorded<Elastic>(near, contact, state, sub_step.duration, N));
   state.overlap = mean_overlap(state, sub_step.duration);
   if (state.overlap > 0 && N > 0) {
-    add_friction<Elastic>(model, contact, near.law, state, N, velocities, sub_step.stretch_time, memory,
-                          forces);
+    const auto [friction, resistance] =
+        rub<Elastic>(model, contact, near.law, state, N, velocities, sub_step.stretch_time, memory);
+    contact.drag(friction, forces);
+    contact.twist(resistance, forces);
+    if (model.accounts_energy) {
+      count.forces.back().friction = friction;
+      count.forces.back().resistance = resistance;
+    }
   } else {
     memory = Memory{};
   }
@@ -114,8 +146,8 @@ bool add_contact(const Model& model, const Near& near, const Velocities& velocit
 }
 
 template bool add_contact<Hertz>(const Model&, const Near&, const Velocities&, const SubStep&, Memory&,
-                                 Forces&);
+                                 Forces&, ContactCount&);
 template bool add_contact<Linear>(const Model&, const Near&, const Velocities&, const SubStep&, Memory&,
-                                  Forces&);
+                                  Forces&, ContactCount&);
 
 }  // namespace fpi::dem

@@ -12,6 +12,17 @@
 
 namespace fpi::dem {
 
+/// The forces of one contact as they act on body a; b, or the wall, gets the opposite.
+struct ContactForce {
+  std::uint32_t a = 0, b = no_body;
+  Vec3 normal = Vec3::Zero();                                   ///< from a towards the other
+  double elastic = 0, damping = 0;                              ///< [N] along it, > 0 parts them
+  Vec3 friction = Vec3::Zero();                                 ///< [N]
+  Vec3 resistance = Vec3::Zero();                               ///< [N m] to rolling and twisting
+  double arm_a = 0, arm_b = 0;                                  ///< [m] of the friction; −arm_a at a wall
+  Vec3 wall_velocity = Vec3::Zero(), wall_spin = Vec3::Zero();  ///< of a wall's frame at the centre of a
+};
+
 /// What an evaluation of the contacts met.
 struct ContactCount {
   std::uint64_t touching = 0;
@@ -19,7 +30,10 @@ struct ContactCount {
   std::string
       too_deep{};  ///< who overlap beyond a radius: the step was too long, or a body came from outside
 
+  std::vector<ContactForce> forces{};  ///< of each, where the scene accounts for energy
+
   void add(const ContactCount& other) {
+    forces.insert(forces.end(), other.forces.begin(), other.forces.end());
     touching += other.touching;
     largest_overlap = std::max(largest_overlap, other.largest_overlap);
     if (!other.too_deep.empty()) too_deep = other.too_deep;
@@ -47,17 +61,17 @@ struct SubStep {
 /// `velocity`.
 Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3>& velocity);
 
-/// Adds the force and moments of a place at a wall to `forces`, by the law Hertz or Linear. True where it
-/// touches.
+/// Adds the force and moments of a place at a wall to `forces`, by the law Hertz or Linear, and to those that
+/// `count` records. True where it touches.
 template <class Elastic>
 bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
-                 Memory& memory, Forces& forces);
+                 Memory& memory, Forces& forces, ContactCount& count);
 
 /// Adds such a place and counts it where it touches; names(model, place) says whose surfaces they are.
 template <class Elastic, class Place>
 void add_place(const Model& model, const Near& here, const Place& place, const Velocities& velocities,
                const SubStep& sub_step, Memory& memory, Forces& forces, ContactCount& count) {
-  if (!add_contact<Elastic>(model, here, velocities, sub_step, memory, forces)) return;
+  if (!add_contact<Elastic>(model, here, velocities, sub_step, memory, forces, count)) return;
   const double overlap = -here.at.gap;
   ++count.touching;
   count.largest_overlap = std::max(count.largest_overlap, overlap);

@@ -30,7 +30,8 @@ void each_remembered(const Model& model, const State& state, Visit visit) {
     visit(near(model, position, pairs.places[p]), pairs.memories[p]);
   const WallContacts& walls = state.wall_contacts;
   for (std::size_t p = 0; p < walls.places.size(); ++p)
-    if (!walls.memories[p].empty()) visit(near(model, position, walls.motions, walls.places[p]), walls.memories[p]);
+    if (!walls.memories[p].empty())
+      visit(near(model, position, walls.motions, walls.places[p]), walls.memories[p]);
 }
 
 }  // namespace
@@ -39,7 +40,8 @@ double kinetic_energy(const Bodies& bodies, std::span<const Vec3> velocity, std:
   double sum = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies.is_free(i))
-      sum += 0.5 * bodies.mass[i] * velocity[i].squaredNorm() + 0.5 * bodies.inertia[i] * spin[i].squaredNorm();
+      sum +=
+          0.5 * bodies.mass[i] * velocity[i].squaredNorm() + 0.5 * bodies.inertia[i] * spin[i].squaredNorm();
   return sum;
 }
 
@@ -47,7 +49,8 @@ Energies energies(const Model& model, const State& state) {
   const Motions& motions = state.motions;
   Energies sum{.kinetic = kinetic_energy(model.bodies, motions.velocity, motions.spin)};
   for (std::size_t i = 0; i < model.bodies.size(); ++i)
-    if (model.bodies.is_free(i)) sum.potential -= model.bodies.mass[i] * model.gravity.dot(motions.position[i]);
+    if (model.bodies.is_free(i))
+      sum.potential -= model.bodies.mass[i] * model.gravity.dot(motions.position[i]);
   with_elastic_law(model.elasticity, [&](auto law) {
     using Elastic = decltype(law);
     each_acting(model, state, widest_attraction(model), [&](const Near& near) {
@@ -62,7 +65,7 @@ Energies energies(const Model& model, const State& state) {
 }
 
 EnergyAccount energy_account(const Energies& start, const Energies& now, const Works& works) {
-  const auto gain = [&](double Energies::* of) { return now.*of - start.*of; };
+  const auto gain = [&](double Energies::*of) { return now.*of - start.*of; };
   return {now.kinetic,
           now.potential,
           now.elastic(),
@@ -93,7 +96,8 @@ void WorkMeter::add_bodies(double duration, const Particles& particles, Works& w
     const Vec3 held_turning =
         particles.load.empty() ? Vec3(Vec3::Zero()) : Vec3(particles.load[k].angular.head<3>());
     const Vec3 force = push.linear.head<3>(), moment = push.angular.head<3>();
-    const Vec3 acceleration = half.linear[3] * force + held, turning = half.angular[3] * moment + held_turning;
+    const Vec3 acceleration = half.linear[3] * force + held,
+               turning = half.angular[3] * moment + held_turning;
     velocity_[i] = half.linear.head<3>() + 0.5 * duration * acceleration;
     spin_[i] = half.angular.head<3>() + 0.5 * duration * turning;
     if (bodies.is_free(i)) {

@@ -1,6 +1,7 @@
-/// The energy account of a run: what bodies and contacts have, what was lost and where, what came from outside.
-/// Works are those of leapfrog, whose kinetic energy changes in a kick by force × mean velocity exactly; so
-/// kinetic energy and works agree to round-off, and what stored energies differ by is the error of the steps.
+/// The energy account of a run: what bodies and contacts have, what was lost and where, what came from
+/// outside. Works are those of leapfrog, whose kinetic energy changes in a kick by force × mean velocity
+/// exactly; so kinetic energy and works agree to round-off, and what stored energies differ by is the error
+/// of the steps.
 #pragma once
 
 #include <array>

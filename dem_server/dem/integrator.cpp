@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "dem/attraction.hpp"
+#include "dem/energy.hpp"
 #include "dem/films.hpp"
 #include "dem/pair_forces.hpp"
 #include "dem/sweep.hpp"
@@ -31,6 +33,7 @@ class Integration {
         particles_(begin()),
         memories_(state.contacts, *state.neighbours, model.laws.resists_turning()) {
     state_.contacts = {};
+    if (model.accounts_energy) meter_.emplace(model);
     note_search();
   }
 
@@ -72,6 +75,7 @@ class Integration {
     const double duration = std::min(wanted, within_skin);
     if (!is_affordable(left_ / duration)) return;
     forces_stand_ = false;
+    contact_forces_.clear();
     sweep({.clear = true});
     load_at(left_ - third * duration);
     move({.kick = 0.5 * duration, .drift = duration});
@@ -154,7 +158,10 @@ class Integration {
     return std::min(at_end, find());
   }
 
-  double sweep(const Sweep& pass) { return pass(particles_, motions_.orientation); }
+  double sweep(const Sweep& pass) {
+    if (meter_ && pass.kick > 0) meter_->add_kick(pass.kick, particles_, contact_forces_, state_.works);
+    return pass(particles_, motions_.orientation);
+  }
 
   /// A sweep on which bodies and walls move, and a search where they have left their skin.
   void move(const Sweep& pass) {
@@ -172,7 +179,11 @@ class Integration {
       velocity_now_[particles_.body[k]] = motion[k].linear.head<3>();
       spin_now_[particles_.body[k]] = motion[k].angular.head<3>();
     }
+    const auto kinetic = [&] { return kinetic_energy(model_.bodies, velocity_now_, spin_now_); };
+    const bool counts = meter_ && &motion == &particles_.half;
+    if (counts) state_.works.films -= kinetic();
     films_.damp(velocity_now_, spin_now_);
+    if (counts) state_.works.films += kinetic();
     for (std::size_t k = 0; k < particles_.size(); ++k) {
       motion[k].linear.head<3>() = velocity_now_[particles_.body[k]];
       motion[k].angular.head<3>() = spin_now_[particles_.body[k]];
@@ -201,6 +212,7 @@ class Integration {
     ContactCount count = add_pair_forces(model_, *state_.neighbours, step, memories_, particles_);
     add_scene_ordered(step, count);
     forces_stand_ = true;
+    contact_forces_ = std::move(count.forces);
     outcome_.contacts = count.touching;
     outcome_.largest_overlap = std::max(outcome_.largest_overlap, count.largest_overlap);
     if (!count.too_deep.empty()) {
@@ -223,7 +235,7 @@ class Integration {
     }
     const Velocities velocities{motions_.velocity, motions_.spin, velocity_now_, spin_now_};
     add_wall_contacts(model_, motions_.position, velocities, step, state_.wall_contacts, forces_, count);
-    add_attractions(model_, state_, forces_);
+    add_attractions(model_, state_, forces_, count);
     for (const std::uint32_t k : scene_ordered_) {
       const std::uint32_t i = particles_.body[k];
       particles_.push[k].linear.head<3>() += forces_.force[i];
@@ -302,13 +314,15 @@ class Integration {
   PairMemories memories_;
   std::vector<std::uint32_t> scene_ordered_;  ///< particles near walls; all where something acts through gaps
   std::vector<Vec3> velocity_now_, spin_now_;
-  Forces forces_;              ///< on these
-  bool forces_stand_ = false;  ///< the forces are those of the current motions
-  double left_ = 0;            ///< [s] of the step
-  double dt_ = 0;              ///< [s] the sub-step
-  double steps_left_ = 0;      ///< of this length; 0 where the length is free
-  double fastest_ = 0;         ///< [m/s] that no body exceeds
-  double moved_ = 0;           ///< [m] that no body has moved farther since the last search
+  Forces forces_;                             ///< on these
+  std::optional<WorkMeter> meter_;            ///< none: no account of energies
+  std::vector<ContactForce> contact_forces_;  ///< those that stand, for the meter
+  bool forces_stand_ = false;                 ///< the forces are those of the current motions
+  double left_ = 0;                           ///< [s] of the step
+  double dt_ = 0;                             ///< [s] the sub-step
+  double steps_left_ = 0;                     ///< of this length; 0 where the length is free
+  double fastest_ = 0;                        ///< [m/s] that no body exceeds
+  double moved_ = 0;                          ///< [m] that no body has moved farther since the last search
   Advanced outcome_;
 };
 

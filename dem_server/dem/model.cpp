@@ -132,6 +132,7 @@ Model make_model(const Problem& problem) {
                      lubrication.roughness, problem.hydraulic_radius_ratio};
   model.near_field = problem.dem.near_field;
   model.adhesion_range = problem.dem.adhesion_range;
+  model.accounts_energy = problem.dem.energy;
   model.stretch = problem.dem.stretch;
   model.loads_are_linear = problem.dem.loads == "linear";
   model.start_overlap = problem.dem.start_overlap;

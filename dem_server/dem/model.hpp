@@ -74,6 +74,7 @@ struct Model {
   double adhesion_range = 0;  ///< gap at which adhesion ends, over R*
   double stretch = 1;         ///< of contact times
   bool loads_are_linear = false;
+  bool accounts_energy = false;
   double start_overlap = 0;  ///< allowed, of the smaller radius
   Box expected;              ///< a free body outside is lost
 };

@@ -54,11 +54,12 @@ void set_lane(PairLawOf<Lanes>& laws, int lane, const PairLaw& law) {
 }
 
 /// Which parts of the law a scene has; what it has not costs nothing.
-template <class ElasticLaw, bool turns, bool one_law>
+template <class ElasticLaw, bool turns, bool one_law, bool recorded>
 struct Parts {
   using Elastic = ElasticLaw;
-  static constexpr bool turning = turns;   ///< resists rolling or twisting
-  static constexpr bool single = one_law;  ///< all bodies of one material
+  static constexpr bool turning = turns;     ///< resists rolling or twisting
+  static constexpr bool single = one_law;    ///< all bodies of one material
+  static constexpr bool records = recorded;  ///< each contact's forces, for the account of energies
 };
 
 template <class Law>
@@ -192,6 +193,7 @@ class PairForces {
     state.acceleration = acceleration_now<Elastic>(
         law_, state, Lanes(2 / step_.duration * (m.velocity - m.middle).dot(m.normal)), step_.stretch_time);
     const Lanes N = normal_force<Elastic>(law_, state, step_.duration);
+    const Lanes elastic = Law::records ? elastic_force(state) : N;
     state.overlap = mean_overlap(state, step_.duration);
     const auto rubs = (state.overlap > 0) & (N > 0);
     const Lanes arm_a = m.Ra + 0.5 * m.gap, arm_b = m.Rb + 0.5 * m.gap;
@@ -208,13 +210,15 @@ class PairForces {
     const Triple friction = keep(rubs, stick_slip(tangential, law_.friction * N, slide, slip));
 
     const Triple force = friction - N * m.normal, moment = m.normal.cross(friction);
-    Triple moment_a = arm_a * moment, moment_b = arm_b * moment;
+    Triple moment_a = arm_a * moment, moment_b = arm_b * moment, resistance;
     if constexpr (Law::turning) {
       twist = select(remembers, twist, Lanes{});
-      const Triple resistance = keep(rubs, resist_turning(batch, m, state, tangential, N, remembers, twist));
+      resistance = keep(rubs, resist_turning(batch, m, state, tangential, N, remembers, twist));
       moment_a += resistance;
       moment_b = moment_b - resistance;
     }
+    if constexpr (Law::records)
+      record(batch, {m.normal, friction, resistance}, {elastic, N - elastic, arm_a, arm_b}, count);
     scatter(batch, slip, twist, [&](std::size_t k, Lanes v) { store(v, memories_.slip[pair[k]].data()); });
     auto& push = particles_.push;
     scatter(batch, force, Lanes{}, [&](std::size_t k, Lanes v) {
@@ -227,6 +231,31 @@ class PairForces {
     const unsigned rubbing = bits(rubs);
     for (std::size_t k = 0; k < n; ++k) memories_.touching[pair[k]] = rubbing >> k & 1;
     note(batch, m, count);
+  }
+
+  /// The part of the normal force that does not come of damping.
+  Lanes elastic_force(const NormalOf<Lanes>& state) const {
+    PairLawOf<Lanes> undamped = law_;
+    undamped.damping_ratio = Lanes{};
+    return normal_force<Elastic>(undamped, state, step_.duration);
+  }
+
+  /// Takes down the forces of a batch: normal, friction and resistance, then elastic, damping and the two
+  /// arms.
+  void record(const Batch& batch, const std::array<Triple, 3>& vectors, const std::array<Lanes, 4>& numbers,
+              ContactCount& count) const {
+    for (std::size_t k = 0; k < batch.n; ++k) {
+      const auto vector = [&](const Triple& v) { return Vec3(v.x[k], v.y[k], v.z[k]); };
+      count.forces.push_back({.a = particles_.body[batch.lower[k]],
+                              .b = particles_.body[batch.higher[k]],
+                              .normal = vector(vectors[0]),
+                              .elastic = numbers[0][k],
+                              .damping = numbers[1][k],
+                              .friction = vector(vectors[1]),
+                              .resistance = vector(vectors[2]),
+                              .arm_a = numbers[2][k],
+                              .arm_b = numbers[3][k]});
+    }
   }
 
   auto remembering(const Batch& batch) const {
@@ -296,9 +325,12 @@ ContactCount add_with(const Model& model, const Neighbours& neighbours, const Su
   return sum;
 }
 
+/// Forces are recorded by the code for several materials only.
 template <class Elastic, bool turning>
-auto choose(bool single) {
-  return single ? add_with<Parts<Elastic, turning, true>> : add_with<Parts<Elastic, turning, false>>;
+auto choose(const Model& model) {
+  if (model.accounts_energy) return add_with<Parts<Elastic, turning, false, true>>;
+  return model.laws.n_materials() == 1 ? add_with<Parts<Elastic, turning, true, false>>
+                                       : add_with<Parts<Elastic, turning, false, false>>;
 }
 
 }  // namespace
@@ -307,8 +339,7 @@ ContactCount add_pair_forces(const Model& model, const Neighbours& neighbours, c
                              PairMemories& memories, Particles& particles) {
   return with_elastic_law(model.elasticity, [&](auto law) {
     using Elastic = decltype(law);
-    const bool single = model.laws.n_materials() == 1;
-    const auto add = memories.roll.empty() ? choose<Elastic, false>(single) : choose<Elastic, true>(single);
+    const auto add = memories.roll.empty() ? choose<Elastic, false>(model) : choose<Elastic, true>(model);
     return add(model, neighbours, step, memories, particles);
   });
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "dem/attraction.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -66,6 +67,12 @@ void check_resolved_gaps(const Model& model, std::span<const double> gaps) {
             model.bodies.name[i], gaps[i]);
 }
 
+/// Finds all that acts on each other first, which a state that was just made or resumed does not know.
+Energies energies_of(const Model& model, State state) {
+  find_neighbours(model, widest_attraction(model), state);
+  return energies(model, state);
+}
+
 }  // namespace
 
 Solver::Solver(const Problem& problem) : model_(make_model(problem)) {
@@ -73,6 +80,7 @@ Solver::Solver(const Problem& problem) : model_(make_model(problem)) {
   accepted_.wall_contacts.motions = at_start(model_.walls);
   find_neighbours(model_, 0, accepted_);
   check_overlaps(model_, accepted_);
+  start_ = energies_of(model_, accepted_);
   restore();
 }
 
@@ -202,6 +210,11 @@ void Solver::check_none_lost(double time) const {
         "walls that it left through, or let it go farther by dem.lost_distance",
         text(expected.min()), text(expected.max()), model_.bodies.name[i], text(x), time);
   }
+}
+
+std::optional<EnergyAccount> Solver::energies() const {
+  if (!model_.accounts_energy) return std::nullopt;
+  return energy_account(start_, energies_of(model_, accepted_), accepted_.works);
 }
 
 std::vector<std::uint8_t> Solver::checkpoint() {

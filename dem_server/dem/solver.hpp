@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "dem/energy.hpp"
 #include "dem/integrator.hpp"
 
 namespace fpi::dem {
@@ -56,6 +58,9 @@ class Solver {
   /// How many places each body touches others and walls at.
   std::vector<std::uint32_t> contacts() const;
 
+  /// Of the accepted state; nothing where the scene keeps no account.
+  std::optional<EnergyAccount> energies() const;
+
   /// The accepted state as bytes. Forgets the search for neighbours, which a resumed run does not have, so
   /// that both go on bitwise alike.
   std::vector<std::uint8_t> checkpoint();
@@ -71,7 +76,8 @@ class Solver {
 
   Model model_;
   State accepted_, trial_;
-  Loads loads_;  ///< weight included
+  Energies start_;  ///< of the run
+  Loads loads_;     ///< weight included
 };
 
 }  // namespace fpi::dem

@@ -1,5 +1,6 @@
 #include "dem/state.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "core/bytes.hpp"
@@ -7,11 +8,16 @@
 namespace fpi::dem {
 namespace {
 
-constexpr std::uint64_t magic = 0x35534d4544495046;  // "FPIDEMS5"
+constexpr std::uint64_t magic = 0x36534d4544495046;  // "FPIDEMS6"
 constexpr std::size_t body_size = 13 * sizeof(double);
 constexpr std::size_t contact_size = 2 * sizeof(std::uint32_t) + 7 * sizeof(double);
 constexpr std::size_t load_size = 6 * sizeof(double);
+constexpr std::size_t works_size = sizeof(Works);
 constexpr std::size_t wall_size = 10 * sizeof(double);
+
+constexpr std::array all_works{&Works::conservative, &Works::damping, &Works::friction,  &Works::turning,
+                               &Works::films,        &Works::loads,   &Works::boundaries};
+static_assert(all_works.size() * sizeof(double) == works_size);
 
 class Writer : public ByteWriter {
  public:
@@ -91,8 +97,8 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   const std::size_t n = motions.position.size();
   const std::size_t n_pairs = state.contacts.places.size(), n_touched = state.wall_contacts.places.size();
   const std::size_t n_walls = state.wall_contacts.motions.size(), n_loads = state.loads.force.size();
-  write.bytes.reserve(6 * sizeof(std::uint64_t) + n * body_size + n_walls * wall_size + n_loads * load_size +
-                      (n_pairs + n_touched) * contact_size);
+  write.bytes.reserve(works_size + 6 * sizeof(std::uint64_t) + n * body_size + n_walls * wall_size +
+                      n_loads * load_size + (n_pairs + n_touched) * contact_size);
   write.put(magic);
   write.put(std::uint64_t{n});
   write.put(std::uint64_t{n_pairs});
@@ -110,6 +116,7 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
     write.put(wall.orientation);
     write.put(wall.spin);
   }
+  for (double Works::*work : all_works) write.put(state.works.*work);
   for (std::size_t i = 0; i < n_loads; ++i) {
     write.put(state.loads.force[i]);
     write.put(state.loads.torque[i]);
@@ -131,7 +138,7 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
   require(n_loads == 0 || n_loads == n, "a DEM state of {} bodies cannot have {} loads", n, n_loads);
   const std::uint64_t most = read.left() / contact_size;
   require(n_pairs <= most && n_touched <= most &&
-              read.left() == n * body_size + n_walls * wall_size + n_loads * load_size +
+              read.left() == works_size + n * body_size + n_walls * wall_size + n_loads * load_size +
                                  (n_pairs + n_touched) * contact_size,
           "a DEM state of {} bodies and {} contacts has another length than the {} bytes that came", n,
           n_pairs + n_touched, bytes.size());
@@ -148,6 +155,7 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
     wall.orientation = read.quaternion();
     wall.spin = read.vector();
   }
+  for (double Works::*work : all_works) state.works.*work = read.number();
   for (std::size_t i = 0; i < n_loads; ++i) {
     state.loads.force.push_back(read.vector());
     state.loads.torque.push_back(read.vector());

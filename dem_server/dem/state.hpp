@@ -10,10 +10,22 @@
 
 namespace fpi::dem {
 
+/// Work on the bodies since the start of the run [J], by what did it; of the account of energies.
+struct Works {
+  double conservative = 0;  ///< weight, attractions and the springs along normals
+  double damping = 0;       ///< along normals
+  double friction = 0;      ///< all that acts along surfaces
+  double turning = 0;       ///< all that resists rolling and twisting
+  double films = 0;
+  double loads = 0;
+  double boundaries = 0;  ///< walls that move, and what bodies that are not free are moved or held by
+};
+
 struct State {
   Motions motions;
   ContactList<Pair> contacts;  ///< of the bodies that touch each other
   WallContacts wall_contacts;
+  Works works;
   Forces loads;  ///< of the fluid at the end of the last step, where they are linear; empty before the first
   std::shared_ptr<const Neighbours> neighbours;  ///< none: a search is due
 };

@@ -183,6 +183,13 @@ class Coupled(unittest.TestCase):
             self.assertEqual(run.wait(), 0, run.log())
         self.assertGreater(run.history[-1]["disc.y"], -0.06)  # the drum, which rose by 0.04 m, has held and turned them
         self.assertGreater(abs(run.history[-1]["disc.vx"]), 1e-3)
+        energy = {name.split(".")[1]: value for name, value in run.history[-1].items() if name.startswith("energy.")}
+        supplied = energy["walls"] + energy["loads"] + energy["numerical"]
+        self.assertGreater(energy["friction"] + energy["damping"], 0)
+        first = {name.split(".")[1]: value for name, value in run.history[0].items() if name.startswith("energy.")}
+        self.assertAlmostEqual(sum(energy.values()) - 2 * supplied,
+                               sum(first.values()) - 2 * (first["walls"] + first["loads"] + first["numerical"]), 12)
+        self.assertEqual(run.summary["counts"]["dem"]["energy.kinetic"], energy["kinetic"])
         whole = {name: (run.out / name).read_bytes() for name in ("history.csv", "bodies.h5")}
         run.forget_its_end()
         with CoupledRun(self.folder, None, resume=True) as resumed:

@@ -73,6 +73,8 @@ end = 0.4
 [output]
 interval = 0.1
 checkpoint_every = 30
+[dem]
+energy = true
 [[grains]]
 name = "disc"
 generator = "random"

@@ -278,7 +278,7 @@ TEST(Solver, refuses_damaged_state) {
   EXPECT_NE(refused([&](auto& b) { put(b, 48, double{NAN}); }), "");
   EXPECT_NE(refused([&](auto& b) { put(b, 64, 1.0); }), "") << "z of a disc";
   EXPECT_NE(refused([&](auto& b) { put(b, 72, 2.0); }), "") << "w of a quaternion";
-  EXPECT_NE(refused([&](auto& b) { put(b, 48 + (25 * 13 + 3 * 10) * 8, std::uint32_t{900}); }), "")
+  EXPECT_NE(refused([&](auto& b) { put(b, 48 + (25 * 13 + 3 * 10 + 7) * 8, std::uint32_t{900}); }), "")
       << "a contact";
 }
 
