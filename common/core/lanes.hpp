@@ -42,6 +42,7 @@ inline Lanes max(Lanes a, Lanes b) { return a < b ? b : a; }
 inline double min(double a, double b) { return std::min(a, b); }
 inline Lanes min(Lanes a, Lanes b) { return b < a ? b : a; }
 
+inline double abs(double v) { return std::abs(v); }
 inline Lanes abs(Lanes v) { return max(v, -v); }
 
 inline Lanes all_lanes(double v) { return Lanes{} + v; }
@@ -63,6 +64,18 @@ unsigned bits(Mask where) {
   for (int lane = 0; lane < n_lanes; ++lane) set |= (where[lane] ? 1u : 0u) << lane;
   return set;
 #endif
+}
+
+/// Whether a comparison holds in every lane, or in none.
+inline bool holds_everywhere(bool where) { return where; }
+template <class Mask>
+bool holds_everywhere(Mask where) {
+  return bits(where) == (1u << n_lanes) - 1;
+}
+inline bool holds_nowhere(bool where) { return !where; }
+template <class Mask>
+bool holds_nowhere(Mask where) {
+  return bits(where) == 0;
 }
 
 /// Four records of four numbers become the four numbers of four records, and back.

@@ -17,19 +17,19 @@ struct Contact {
   Contact(const Model& model, const Near& near)
       : a(near.a), normal(near.at.normal), arm(model.bodies.radius[a]), frame(near.frame) {}
 
-  /// Velocity of the body's surface over the wall's, along it [m/s].
+  /// n × velocity of the body's surface over the wall's [m/s].
   Vec3 sliding(const std::vector<Vec3>& velocity, const std::vector<Vec3>& spin) const {
-    return along(velocity[a] - frame.velocity) + Vec3(arm * (spin[a] - frame.spin)).cross(normal);
+    return normal.cross(velocity[a] - frame.velocity) + arm * along(turning(spin));
   }
   /// Spin of the body over the wall [rad/s]: rolling along the surface, twisting along the normal.
   Vec3 turning(const std::vector<Vec3>& spin) const { return spin[a] - frame.spin; }
   Vec3 along(const Vec3& v) const { return v - v.dot(normal) * normal; }
 
-  /// `force` on the body: pressed along the normal it has no moment, dragged along the surface it has.
   void press(const Vec3& force, Forces& forces) const { forces.force[a] += force; }
-  void drag(const Vec3& force, Forces& forces) const {
-    press(force, forces);
-    forces.torque[a] += arm * normal.cross(force);
+  /// n × `friction` on the body.
+  void drag(const Vec3& friction, Forces& forces) const {
+    press(friction.cross(normal), forces);
+    forces.torque[a] += arm * friction;
   }
   void twist(const Vec3& moment, Forces& forces) const { forces.torque[a] += moment; }
 };
@@ -52,15 +52,15 @@ double inertia(const Bodies& bodies, std::uint32_t body) {
 
 /// What acts along the surface of a contact, and against turning in it.
 struct Traction {
-  Vec3 friction = Vec3::Zero();    ///< [N] on the body
+  Vec3 friction = Vec3::Zero();    ///< n × friction on the body [N]
   Vec3 resistance = Vec3::Zero();  ///< [N m]
 };
 
 template <class Elastic>
-Traction rub(const Model& model, const Contact& contact, const PairLaw& law, const Normal& state, double N,
-             const Velocities& velocities, double stretch_time, Memory& memory) {
+Traction rub(const Model& model, const Contact& contact, const PairLaw& law, const Normal& state,
+             double slope, double N, const Velocities& velocities, double stretch_time, Memory& memory) {
   Traction traction;
-  const Spring tangential = tangential_spring<Elastic>(law, state);
+  const Spring tangential = tangential_spring<Elastic>(law, state, slope);
   if (law.friction > 0) {
     follow(contact, stretch_time * contact.sliding(velocities.middle, velocities.middle_spin), memory.slip);
     const Vec3 rate = contact.sliding(velocities.now, velocities.now_spin);
@@ -84,11 +84,11 @@ Traction rub(const Model& model, const Contact& contact, const PairLaw& law, con
 
 /// For the account of energies: what of the normal force N is elastic is what there would be without damping.
 template <class Elastic>
-ContactForce recorded(const Near& near, const Contact& contact, const Normal& state, double sub_step,
-                      double N) {
+ContactForce recorded(const Near& near, const Contact& contact, const Normal& state, const Mean& mean,
+                      double sub_step, double N) {
   PairLaw undamped = near.law;
   undamped.damping_ratio = 0;
-  const double elastic = normal_force<Elastic>(undamped, state, sub_step);
+  const double elastic = normal_force<Elastic>(undamped, state, mean, sub_step);
   return {.a = near.a,
           .normal = near.at.normal,
           .elastic = elastic,
@@ -124,25 +124,24 @@ bool add_contact(const Model& model, const Near& near, const Velocities& velocit
   const double gained = state.rate - normal_state(model, near, velocities.middle).rate;  // in half a sub-step
   state.acceleration =
       acceleration_now<Elastic>(near.law, state, 2 * gained / sub_step.duration, sub_step.stretch_time);
-  const double N = normal_force<Elastic>(near.law, state, sub_step.duration);
+  const Mean mean = mean_over<Elastic>(state.overlap, sub_step.duration * state.rate);
+  const double N = normal_force<Elastic>(near.law, state, mean, sub_step.duration);
   contact.press(-N * near.at.normal, forces);
-  const bool touches = state.overlap > 0;
   if (model.accounts_energy)
-    count.forces.push_back(recorded<Elastic>(near, contact, state, sub_step.duration, N));
-  state.overlap = mean_overlap(state, sub_step.duration);
-  if (state.overlap > 0 && N > 0) {
-    const auto [friction, resistance] =
-        rub<Elastic>(model, contact, near.law, state, N, velocities, sub_step.stretch_time, memory);
+    count.forces.push_back(recorded<Elastic>(near, contact, state, mean, sub_step.duration, N));
+  if (mean.overlap > 0 && N > 0) {
+    const auto [friction, resistance] = rub<Elastic>(model, contact, near.law, state, mean.slope, N,
+                                                     velocities, sub_step.stretch_time, memory);
     contact.drag(friction, forces);
     contact.twist(resistance, forces);
     if (model.accounts_energy) {
-      count.forces.back().friction = friction;
+      count.forces.back().friction = friction.cross(near.at.normal);
       count.forces.back().resistance = resistance;
     }
   } else {
     memory = Memory{};
   }
-  return touches;
+  return state.overlap > 0;
 }
 
 template bool add_contact<Hertz>(const Model&, const Near&, const Velocities&, const SubStep&, Memory&,

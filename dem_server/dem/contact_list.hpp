@@ -13,7 +13,7 @@ namespace fpi::dem {
 
 /// What a contact remembers; zero while it does not touch.
 struct Memory {
-  Vec3 slip = Vec3::Zero();  ///< stretch of the tangential spring [m]
+  Vec3 slip = Vec3::Zero();  ///< n × stretch of the tangential spring [m]: the same seen from either side
   Vec3 roll = Vec3::Zero();  ///< stretch of the rolling spring [rad]
   double twist = 0;          ///< stretch of the spring about the normal [rad]
   bool empty() const { return slip.isZero(0) && roll.isZero(0) && twist == 0; }

@@ -15,7 +15,8 @@ double stored_along_normal(const Near& near, const Normal& state) {
 template <class Elastic>
 void add_springs(const Near& near, Normal state, const Memory& memory, Energies& sum) {
   state.overlap = std::max(state.overlap, 0.0);
-  const Spring along = tangential_spring<Elastic>(near.law, state);
+  const Spring along =
+      tangential_spring<Elastic>(near.law, state, Elastic::slope(std::max(state.overlap, 0.0)));
   const Spring turning = turning_spring(near.law, state, along, 0.0);
   sum.tangential += 0.5 * along.stiffness * memory.slip.squaredNorm();
   sum.turning += 0.5 * turning.stiffness * (memory.roll.squaredNorm() + memory.twist * memory.twist);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double worth_flying = 4;  ///< sub-steps that a flight must save
 constexpr double third = 1.0 / 3;
+constexpr double least_batch = 32;  ///< sub-steps for which a look ahead is good, in contacts of few steps
 constexpr double most_sub_steps = 1e8;  ///< in one step of the coupling, flights included
 
 class Integration {
@@ -87,14 +88,15 @@ class Integration {
     outcome_.contacts = 0;
   }
 
-  /// About one contact time of sub-steps, or what is left; ends early where a search finds new neighbours,
+  /// Sub-steps of one contact time or more, or what is left; ends early where a search finds new neighbours,
   /// and after each sub-step where there are films, whose step follows the gap.
   void take_sub_steps(double sub_step_wanted) {
     choose_sub_step(std::min(sub_step_wanted, model_.largest_sub_step));
     if (!is_affordable(steps_left_)) return;
     films_.prepare(0.5 * dt_);
     if (!forces_stand_) find_forces_at_start();
-    double batch = films_.empty() ? std::min(steps_left_, std::ceil(model_.steps_per_contact)) : 1;
+    double batch =
+        films_.empty() ? std::min(steps_left_, std::max(model_.steps_per_contact, least_batch)) : 1;
     const std::uint64_t searches = outcome_.searches;
     load_at((steps_left_ - third) * dt_);
     for (double kick = 0.5 * dt_; batch > 0 && outcome_.converged && outcome_.searches == searches; --batch) {

@@ -9,6 +9,13 @@ namespace {
 
 constexpr double hertz_duration = 2.868266;  ///< of an impact, times (m*²/(R* E*² v))^(1/5)
 
+/// Of equivalent_speed; 2/m* times the energy of a Hertz contact is 16/15 E* √(R* δ) δ²/m*.
+double squared_equivalent_speed(const PairLaw& law, const Normal& c) {
+  const double overlap = std::max(c.overlap, 0.0);
+  return c.rate * c.rate +
+         16.0 / 15 * law.normal * std::sqrt(c.radius * overlap) * overlap * overlap / c.mass;
+}
+
 }  // namespace
 
 PairLaw combine(const scene::Material& a, const scene::Material& b, Elasticity elasticity) {
@@ -77,8 +84,7 @@ double contact_time(double mass, double radius, double normal_modulus, double sp
 }
 
 double equivalent_speed(const PairLaw& law, const Normal& c) {
-  const double s = Hertz::amplitude(std::max(c.overlap, 0.0));
-  return std::sqrt(c.rate * c.rate + Hertz::stiffness(law.normal, c.radius) * s * s / c.mass);
+  return std::sqrt(squared_equivalent_speed(law, c));
 }
 
 double contact_time(Elasticity elasticity, const PairLaw& law, const Normal& c) {
@@ -90,7 +96,8 @@ double contact_time(Elasticity elasticity, const PairLaw& law, const Normal& c) 
 bool lasts_longer(Elasticity elasticity, const PairLaw& law, const Normal& contact, double time) {
   if (elasticity == Elasticity::linear) return contact_time(elasticity, law, contact) > time;
   const double m_over_e = contact.mass / law.normal, share = time / hertz_duration, squared = share * share;
-  return m_over_e * m_over_e > squared * squared * share * contact.radius * equivalent_speed(law, contact);
+  const double speed = m_over_e * m_over_e / (squared * squared * share * contact.radius);  // lasts `time`
+  return squared_equivalent_speed(law, contact) < speed * speed;
 }
 
 }  // namespace fpi::dem

@@ -5,12 +5,11 @@
 namespace fpi::dem {
 namespace {
 
-/// Springs hold what the lower particle did over the higher one; in the scene a < b may be the other way
-/// round. A twist is the same seen from either.
-Record join(const Vec3& stretch, double twist, bool swapped) {
-  const double sign = swapped ? -1 : 1;
-  return {sign * stretch.x(), sign * stretch.y(), sign * stretch.z(), twist};
-}
+Record join(const Vec3& v, double w) { return {v.x(), v.y(), v.z(), w}; }
+
+/// A rolling spring holds what the lower particle did over the higher one; in the scene a < b may be the
+/// other way round.
+double direction(bool swapped) { return swapped ? -1 : 1; }
 
 }  // namespace
 
@@ -29,10 +28,9 @@ PairMemories::PairMemories(const ContactList<Pair>& contacts, const Neighbours& 
     if (found == last || *found != higher) continue;
     const auto p = static_cast<std::size_t>(found - neighbours.other.begin());
     const Memory& memory = contacts.memories[c];
-    const bool swapped = lower != particle[a];
     touching[p] = 1;
-    slip[p] = join(memory.slip, memory.twist, swapped);
-    if (turning) roll[p] = join(memory.roll, 0, swapped);
+    slip[p] = join(memory.slip, memory.twist);
+    if (turning) roll[p] = join(direction(lower != particle[a]) * memory.roll, 0);
   }
 }
 
@@ -42,10 +40,9 @@ ContactList<Pair> PairMemories::collect(const Neighbours& neighbours) const {
     for (std::uint32_t p = neighbours.start[i]; p < neighbours.start[i + 1]; ++p) {
       if (!touching[p]) continue;
       const std::uint32_t low = neighbours.order[i], high = neighbours.order[neighbours.other[p]];
-      const double sign = low < high ? 1 : -1;
       contacts.places.push_back({std::min(low, high), std::max(low, high)});
-      contacts.memories.push_back({.slip = sign * slip[p].head<3>(), .twist = slip[p][3]});
-      if (!roll.empty()) contacts.memories.back().roll = sign * roll[p].head<3>();
+      contacts.memories.push_back({.slip = slip[p].head<3>(), .twist = slip[p][3]});
+      if (!roll.empty()) contacts.memories.back().roll = direction(low > high) * roll[p].head<3>();
     }
   }
   return contacts;

@@ -7,8 +7,8 @@
 namespace fpi::dem {
 
 struct PairMemories {
-  std::vector<Record> slip;  ///< stretch of the tangential spring [m], and of the twisting one [rad]
-  std::vector<Record> roll;  ///< of the rolling spring [rad]; empty where nothing turns against it
+  std::vector<Record> slip;            ///< Memory::slip [m], and stretch of the twisting spring [rad]
+  std::vector<Record> roll;            ///< of the rolling spring [rad]; empty where nothing turns against it
   std::vector<std::uint8_t> touching;  ///< 1 or 0; springs of other pairs mean nothing. Padded by the lanes
 
   /// `contacts` of pairs that are not listed are forgotten.

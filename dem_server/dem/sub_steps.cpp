@@ -53,15 +53,13 @@ void Outlook::consider(const Model& model, const PairLaw& law, const Normal& nor
   const double steps = steps_per_contact(model, law);
   Normal met = normal;
   met.rate = speed;
-  if (meeting < horizon && pull.step >= contact_step &&
-      lasts_longer(model.elasticity, law, met, steps * contact_step)) {
-    free_time = std::min(free_time, meeting);
-    return;
-  }
-  const double step = std::min(contact_time(model.elasticity, law, met) / steps, pull.step);
-  if (meeting >= horizon + step) return;
+  const auto takes_longer_than = [&](double time) {
+    return pull.step >= time && lasts_longer(model.elasticity, law, met, steps * time);
+  };
+  if (meeting >= horizon && !takes_longer_than(meeting - horizon)) return;
   free_time = std::min(free_time, meeting);
-  contact_step = std::min(contact_step, step);
+  if (takes_longer_than(contact_step)) return;
+  contact_step = std::min({contact_step, contact_time(model.elasticity, law, met) / steps, pull.step});
 }
 
 void look_ahead_pairs(const Model& model, const Neighbours& neighbours, const Particles& particles,

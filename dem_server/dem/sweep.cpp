@@ -21,7 +21,7 @@ void turn(Particles& particles, std::size_t first, double duration, std::vector<
   for (std::size_t k = 0; k < n_lanes; ++k) spins[k] = particles.half[first + k].angular;
   const Triple theta = duration * load_triple(spins), since = load_triple(&particles.turned[first]);
   const Lanes half_squared = 0.25 * theta.dot(theta);
-  if (bits((half_squared < 1e-4) & (since.dot(since) < 1)) != (1u << n_lanes) - 1) {
+  if (!holds_everywhere((half_squared < 1e-4) & (since.dot(since) < 1))) {
     const std::size_t last = std::min(first + n_lanes, particles.size());
     for (std::size_t i = first; i < last; ++i) {
       Orientation& turning = orientation[particles.body[i]];

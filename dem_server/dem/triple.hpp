@@ -1,4 +1,4 @@
-/// A vector of three numbers of which each may be several (Lanes), with the names that Eigen's have.
+/// Vectors of two and three numbers of which each may be several (Lanes), with the names that Eigen's have.
 #pragma once
 
 #include "core/lanes.hpp"
@@ -18,10 +18,22 @@ struct Triple {
   friend Triple operator*(double s, const Triple& a) { return {s * a.x, s * a.y, s * a.z}; }
 };
 
+struct Couple {
+  Lanes x{}, y{};
+
+  Lanes dot(const Couple& o) const { return x * o.x + y * o.y; }
+  friend Couple operator-(const Couple& a, const Couple& b) { return {a.x - b.x, a.y - b.y}; }
+  friend Couple operator*(Lanes s, const Couple& a) { return {s * a.x, s * a.y}; }
+};
+
 /// a where `where`, else zero.
 template <class Mask>
+Lanes keep(Mask where, Lanes a) {
+  return select(where, a, Lanes{});
+}
+template <class Mask>
 Triple keep(Mask where, const Triple& a) {
-  return {select(where, a.x, Lanes{}), select(where, a.y, Lanes{}), select(where, a.z, Lanes{})};
+  return {keep(where, a.x), keep(where, a.y), keep(where, a.z)};
 }
 
 }  // namespace fpi::dem

@@ -9,6 +9,11 @@ namespace {
 
 using test::material;
 
+template <class Real>
+Real force_on(const PairLawOf<Real>& law, const NormalOf<Real>& c, double sub_step) {
+  return normal_force<Hertz>(law, c, mean_over<Hertz>(c.overlap, Real(sub_step * c.rate)), sub_step);
+}
+
 TEST(ContactLaw, damping_ratio_inverts_restitution) {
   for (const double e : {1e-6, 0.01, 0.1, std::exp(-2.0), 0.5, 0.9, 0.999, 1.0}) {
     EXPECT_NEAR(restitution(damping_ratio(e)) / e, 1, 1e-9) << e;
@@ -35,12 +40,12 @@ TEST(ContactLaw, normal_force_at_rest_is_hertz) {
   const PairLaw law = combine(material(1e9, 0.25, 0.5), material(1e9, 0.25, 0.5));
   const Normal state{.mass = 1, .radius = 0.01, .overlap = 1e-5, .rate = 0};
   const double expected = 4.0 / 3 * law.normal * 0.1 * std::pow(1e-5, 1.5);
-  EXPECT_NEAR(normal_force<Hertz>(law, state, 1e-12) / expected, 1, 1e-13);
+  EXPECT_NEAR(force_on(law, state, 1e-12) / expected, 1, 1e-13);
 }
 
 TEST(ContactLaw, normal_force_never_pulls) {
   const PairLaw law = combine(material(1e9, 0.25, 0.1), material(1e9, 0.25, 0.1));
-  EXPECT_EQ(normal_force<Hertz>(law, {.mass = 1, .radius = 0.01, .overlap = 1e-7, .rate = -1}, 1e-9), 0);
+  EXPECT_EQ(force_on(law, Normal{.mass = 1, .radius = 0.01, .overlap = 1e-7, .rate = -1}, 1e-9), 0);
 }
 
 TEST(ContactLaw, equivalent_speed_is_that_of_the_impact_all_along) {
@@ -70,7 +75,7 @@ TEST(ContactLaw, four_contacts_at_once_have_what_each_has_alone) {
   for (int i = 0; i < n_lanes; ++i) {
     const PairLaw law = combine(material(1e9, 0.2, 0.2 + 0.2 * i), material(2e9, 0.3, 0.5));
     const Normal state{.mass = 1.0 + i, .radius = 0.01, .overlap = 1e-6 * (i - 1), .rate = 1 - 0.6 * i};
-    alone[i] = normal_force<Hertz>(law, state, 1e-6);
+    alone[i] = force_on(law, state, 1e-6);
     part(laws.normal, i) = law.normal;
     part(laws.damping_ratio, i) = law.damping_ratio;
     part(states.mass, i) = state.mass;
@@ -78,7 +83,7 @@ TEST(ContactLaw, four_contacts_at_once_have_what_each_has_alone) {
     part(states.overlap, i) = state.overlap;
     part(states.rate, i) = state.rate;
   }
-  const Lanes together = normal_force<Hertz>(laws, states, 1e-6);
+  const Lanes together = force_on(laws, states, 1e-6);
   for (int i = 0; i < n_lanes; ++i) EXPECT_NEAR(together[i], alone[i], 1e-12 * alone[i]) << i;
 }
 
