@@ -387,6 +387,17 @@ class Scenes(unittest.TestCase):
         self.assertLess(abs(self.at(600, "disc.y") - 0.2723), 0.005)
         self.assertLess(abs(self.at(600, "disc.y") - self.at(500, "disc.y")), 1e-3, "it stays there")
 
+    def test_drafting_kissing(self):
+        """The later distances and the peak speed of the reference are missed: docs/coupling.md."""
+        self.run_scene("drafting_kissing", "output.fields=false")
+
+        def apart(time: float) -> float:
+            return math.hypot(*(self.at(time, f"trailing.{axis}") - self.at(time, f"leading.{axis}") for axis in "xy")) / 0.0025
+
+        self.assertLess(abs(apart(0.05) - 2.02), 0.05)
+        self.assertLess(apart(0.16), apart(0.12), "the one in the lee catches up")
+        self.assertGreater(self.at(0.16, "leading.vy"), 1.2 * self.at(0.16, "trailing.vy"), "and falls faster")
+
 
 if __name__ == "__main__":
     unittest.main()
