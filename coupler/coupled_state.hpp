@@ -37,6 +37,9 @@ struct Attempt : coupling::StepResult {
   std::uint32_t newton_iterations = 0;  ///< of all sub-iterations
   double largest_overlap = 0;           ///< [m] of grains
   coupling::TimeError time_error;       ///< of the fluid
+  double displacement = 0;              ///< largest way of a body, in element sizes beside it
+  double miss = 0;                      ///< largest distance from where a free body was predicted, likewise
+  std::uint32_t recuts = 0;             ///< times that the geometry was cut anew
 };
 
 /// An attempt under way.

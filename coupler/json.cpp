@@ -136,7 +136,49 @@ Json wall_seconds(const Summary& summary) {
   return seconds;
 }
 
+/// While one program works the others wait for it.
+Json coupling_report(const Summary& summary) {
+  const Statistics& s = summary.statistics;
+  const auto worst = s.worst();
+  return {
+      {"rejected_steps", s.rejected()},
+      {"repeated_steps", s.repeated()},
+      {"recuts", s.recuts()},
+      {"largest_miss", s.largest_miss()},
+      {"largest_displacement", s.largest_displacement()},
+      {"columns", {{"mean", s.mean_columns()}, {"max", s.most_columns()}, {"dropped", s.dropped_columns()}}},
+      {"stalls",
+       {{"history_dropped", s.remedies()[0]},
+        {"aitken", s.remedies()[1]},
+        {"step_shortened", s.remedies()[2]}}},
+      {"worst_body", {{"name", summary.worst_body}, {"steps", worst ? worst->steps : 0}}},
+      {"waited_for", summary.waited_for}};
+}
+
 }  // namespace
+
+std::vector<std::string> coupling_table(const Summary& summary) {
+  const Statistics& s = summary.statistics;
+  std::vector<std::string> lines;
+  const auto line = [&lines](const char* what, const std::string& figures) {
+    lines.push_back(fmt::format("  {:<22} {}", what, figures));
+  };
+  line("sub-iterations",
+       fmt::format("mean {:.3g}, most {}", s.mean_sub_iterations(), s.max_sub_iterations()));
+  line("columns", fmt::format("mean {:.3g}, most {}, dropped {}", s.mean_columns(), s.most_columns(),
+                              s.dropped_columns()));
+  line("steps done again", fmt::format("rejected {}, too large {}", s.rejected(), s.repeated()));
+  line("geometry cut anew", fmt::format("{} times; bodies missed by at most {:.2g} h, went at most {:.2g} h",
+                                        s.recuts(), s.largest_miss(), s.largest_displacement()));
+  line("stalls", fmt::format("history dropped {}, Aitken {}, step made shorter {}", s.remedies()[0],
+                             s.remedies()[1], s.remedies()[2]));
+  if (const auto worst = s.worst())
+    line("worst body", fmt::format("\"{}\", in {} steps", summary.worst_body, worst->steps));
+  for (const auto& [role, seconds] : summary.waited_for)
+    line(("waited for " + role).c_str(), fmt::format("{:.3g} s", seconds));
+  line("largest overlap", fmt::format("{:.3g} m", s.largest_overlap()));
+  return lines;
+}
 
 std::string to_json(const Plan& plan) {
   Json participants = Json::array();
@@ -166,6 +208,7 @@ std::string to_json(const Summary& s) {
               {"steps", s.statistics.steps()},
               {"sub_iterations",
                {{"mean", s.statistics.mean_sub_iterations()}, {"max", s.statistics.max_sub_iterations()}}},
+              {"coupling", coupling_report(s)},
               {"newton_iterations", count(s, "fluid", "newton_iterations")},
               {"factorisations", count(s, "fluid", "factorisations")},
               {"solves", count(s, "fluid", "solves")},

@@ -21,6 +21,8 @@ struct Summary {
   Statistics statistics;
   /// Of participants by role, as they said goodbye; a role that was lost is there without figures.
   std::map<std::string, proto::Figures> figures;
+  std::string worst_body;                                     ///< of the coupling, or ""
+  std::map<std::string, double> waited_for;                   ///< [s] by role
   double wall_total = 0, wall_coupling = 0, wall_output = 0;  ///< [s]
   double peak_memory = 0;                                     ///< [B] of this process
   std::vector<std::string> body_names;
@@ -32,6 +34,9 @@ struct Summary {
   MeasuredSignals signals;
   std::vector<std::string> profile_names;
 };
+
+/// What the coupling took, as lines of a log.
+std::vector<std::string> coupling_table(const Summary& summary);
 
 std::string to_json(const Plan& plan);
 std::string to_json(const Standing& standing);

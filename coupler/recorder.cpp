@@ -11,8 +11,12 @@ namespace fpi {
 namespace {
 
 std::vector<std::string> history_columns(const scene::Scene& scene) {
-  std::vector<std::string> columns{
-      "time", "step", "sub_iterations", "residual_velocity", "residual_force", "newton_iterations"};
+  std::vector<std::string> columns{"time",           "step",
+                                   "sub_iterations", "residual_velocity",
+                                   "residual_force", "newton_iterations",
+                                   "columns_kept",   "columns_dropped",
+                                   "displacement",   "miss",
+                                   "recuts"};
   for (std::size_t i = 0; i < scene.n_listed(); ++i)
     for (const char* quantity : {"x", "y", "vx", "vy", "spin", "fx", "fy", "torque"})
       columns.push_back(scene.bodies[i].name + "." + quantity);
@@ -99,7 +103,12 @@ void Recorder::record_step(double time, const Attempt& attempt, const Simulation
                            static_cast<double>(attempt.sub_iterations),
                            attempt.velocity.relative,
                            attempt.force.relative,
-                           static_cast<double>(attempt.newton_iterations)};
+                           static_cast<double>(attempt.newton_iterations),
+                           static_cast<double>(attempt.columns.kept),
+                           static_cast<double>(attempt.columns.dropped),
+                           attempt.displacement,
+                           attempt.miss,
+                           static_cast<double>(attempt.recuts)};
   for (std::size_t i = 0; i < scene_.n_listed(); ++i) {
     const coupling::RigidMotion& motion = simulation.state().motions[i];
     const auto& [force, torque] = simulation.state().loads[i];

@@ -12,7 +12,7 @@
 
 namespace fpi {
 
-/// What all roles share. `ledger.seconds["waiting"]` takes the time spent on answers.
+/// What all roles share. `ledger.seconds["waiting:ROLE"]` takes the time spent on answers.
 template <class Role>
 class Remote : public Role {
  public:
@@ -37,7 +37,7 @@ class Remote : public Role {
  private:
   template <class Answer>
   Answer ask(proto::Message message) {
-    const ScopedTimer timer(ledger_, "waiting");
+    const ScopedTimer timer(ledger_, ("waiting:" + role_).c_str());
     return host_.ask<Answer>(role_, stamp_, std::move(message));
   }
 

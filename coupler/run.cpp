@@ -1,5 +1,8 @@
 #include "run.hpp"
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <utility>
 
 #include "core/error.hpp"
@@ -61,18 +64,41 @@ void Run::take_step() {
   const double time = window_.end();
   const bool fields_due = window_.ends_at_output() || simulation_.steps() == 0;
   simulation_.accept();
-  window_.accept(attempt.time_error);
+  window_.accept(demands(attempt));
   record(time, attempt, fields_due);
 }
 
-/// A step that does not converge is restored, halved and tried again, one whose error in time is too large is
+/// What the scene bounds in a step that it lets adapt.
+std::vector<coupling::Demand> Run::demands(const Attempt& attempt) const {
+  const scene::Time& asked = scene_.time;
+  std::vector<coupling::Demand> demands;
+  if (asked.relative_tolerance > 0 && attempt.time_error.order > 0)
+    demands.push_back({.what = "error in time (time.relative_tolerance)",
+                       .excess = attempt.time_error.value / asked.relative_tolerance,
+                       .order = attempt.time_error.order});
+  if (asked.max_displacement > 0)
+    demands.push_back({.what = "way of a body (time.max_displacement)",
+                       .excess = attempt.displacement / asked.max_displacement,
+                       .most = 1});
+  if (asked.wanted_sub_iterations > 0)
+    demands.push_back({.what = "number of sub-iterations (time.wanted_sub_iterations)",
+                       .excess = attempt.sub_iterations / static_cast<double>(asked.wanted_sub_iterations),
+                       .most = std::numeric_limits<double>::infinity()});
+  return demands;
+}
+
+/// A step that does not converge is restored, halved and tried again, one with too large an error or way is
 /// made as small as that asks for.
 Attempt Run::good_attempt() {
   for (;;) {
     Attempt attempt = simulation_.attempt(window_.start(), window_.end(), window_.step());
-    if (attempt.converged && is_fine_enough(attempt.time_error)) return attempt;
+    tell_of_stalls(attempt);
+    if (attempt.converged && is_fine_enough(demands(attempt))) return attempt;
     simulation_.restore();
-    if (!attempt.converged) {
+    if (attempt.converged) {
+      statistics_.add_repeated();
+    } else {
+      statistics_.add_rejected();
       log::warning("step {} to t = {} s rejected: {}", simulation_.steps() + 1, window_.end(),
                    attempt.reason);
       if (!window_.halve()) give_up(attempt.reason);
@@ -81,20 +107,36 @@ Attempt Run::good_attempt() {
   }
 }
 
-bool Run::is_fine_enough(const coupling::TimeError& error) {
+bool Run::is_fine_enough(const std::vector<coupling::Demand>& demands) {
   const double tried = window_.step();
-  const coupling::Verdict verdict = window_.judge(error);
+  const coupling::Verdict verdict = window_.judge(demands);
+  if (verdict == coupling::Verdict::take) return true;
+  const coupling::Demand& worst = *std::ranges::max_element(
+      demands, {}, [](const coupling::Demand& demand) { return demand.excess / demand.most; });
+  const std::string excess =
+      fmt::format("with {} s its {} is {:.2g} of what is allowed", tried, worst.what, worst.excess);
   if (verdict == coupling::Verdict::repeat)
-    log::info(
-        "step {} from t = {} s repeated: with {} s its error in time is {:.2g} (time.relative_tolerance = "
-        "{})",
-        simulation_.steps() + 1, window_.start(), tried, error.value, scene_.time.relative_tolerance);
-  if (verdict == coupling::Verdict::take_at_smallest && !std::exchange(told_of_smallest_step_, true))
+    log::info("step {} from t = {} s repeated: {}", simulation_.steps() + 1, window_.start(), excess);
+  else if (!std::exchange(told_of_smallest_step_, true))
     log::warning(
-        "at t = {} s the smallest step, {} s (time.min_step), has an error in time of {:.2g}, above "
-        "time.relative_tolerance = {}: taken all the same, now and later",
-        window_.start(), tried, error.value, scene_.time.relative_tolerance);
+        "step {} from t = {} s has the smallest size (time.min_step): {}; taken all the same, now and later",
+        simulation_.steps() + 1, window_.start(), excess);
   return verdict != coupling::Verdict::repeat;
+}
+
+/// Each remedy once in a run, with the body at fault; the report counts them all.
+void Run::tell_of_stalls(const Attempt& attempt) {
+  statistics_.add_stalls(attempt);
+  for (const coupling::StallEvent& event : attempt.stalls) {
+    const auto remedy = static_cast<std::size_t>(event.remedy);
+    if (std::exchange(told_of_remedy_.at(remedy), true)) continue;
+    constexpr std::array<const char*, 3> remedies{"what was learnt before is dropped",
+                                                  "Aitken's relaxation goes on", "the step is made shorter"};
+    log::warning("step {}: the coupling {} most of all at body \"{}\": {} (said once)",
+                 simulation_.steps() + 1,
+                 event.stall == coupling::Stall::cycle ? "goes round in a cycle," : "stagnates,",
+                 simulation_.body_of(event.unknown), remedies.at(remedy));
+  }
 }
 
 void Run::give_up(const std::string& reason) {
@@ -107,7 +149,7 @@ void Run::give_up(const std::string& reason) {
 
 void Run::record(double time, const Attempt& attempt, bool fields_due) {
   reported_ = reported(scene_, simulation_);
-  statistics_.add_step(attempt.sub_iterations, attempt.largest_overlap);
+  statistics_.add_step(attempt);
   log::debug("step {}: t = {} s, {} sub-iterations, residual of velocity {:.2g}, of force {:.2g}",
              simulation_.steps(), time, attempt.sub_iterations, attempt.velocity.relative,
              attempt.force.relative);

@@ -2,6 +2,7 @@
 /// participants may be in this process or at the other end of the wire.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -49,7 +50,9 @@ class Run {
 
  private:
   Attempt good_attempt();
-  bool is_fine_enough(const coupling::TimeError& error);
+  std::vector<coupling::Demand> demands(const Attempt& attempt) const;
+  bool is_fine_enough(const std::vector<coupling::Demand>& demands);
+  void tell_of_stalls(const Attempt& attempt);
   void solve_steady();
   void take_step();
   [[noreturn]] void give_up(const std::string& reason);
@@ -69,6 +72,7 @@ class Run {
   std::optional<Recorder> recorder_;
   std::optional<double> fields_time_;  ///< [s] of the last fields written
   bool fluid_has_fields_ = true, told_of_smallest_step_ = false;
+  std::array<bool, 3> told_of_remedy_{};
   std::uint32_t sub_iterations_ = 0;
 };
 

@@ -192,18 +192,16 @@ class Session {
     } catch (const std::exception& e) {
       log::error("the summary could not be written: {}", e.what());
     }
-    log::info(
-        "{} after {} steps: {:.3g} s, of which coupling {:.3g} s and output {:.3g} s; sub-iterations {:.3g} "
-        "on "
-        "average, {} at most; largest overlap {:.3g} m",
-        summary_.status, summary_.statistics.steps(), summary_.wall_total, summary_.wall_coupling,
-        summary_.wall_output, summary_.statistics.mean_sub_iterations(),
-        summary_.statistics.max_sub_iterations(), summary_.statistics.largest_overlap());
+    log::info("{} after {} steps: {:.3g} s, of which coupling {:.3g} s and output {:.3g} s", summary_.status,
+              summary_.statistics.steps(), summary_.wall_total, summary_.wall_coupling, summary_.wall_output);
+    for (const std::string& line : coupling_table(summary_)) log::info("{}", line);
     log::flush();
   }
 
   void collect_results() {
     summary_.statistics = run_->statistics();
+    if (const auto worst = summary_.statistics.worst())
+      summary_.worst_body = run_->simulation().body_of(worst->unknown);
     summary_.bodies = run_->simulation().state();
     for (std::size_t i = 0; i < scene_.n_listed(); ++i) summary_.body_names.push_back(scene_.bodies[i].name);
     summary_.groups = group_motions(scene_, summary_.bodies.motions);
@@ -225,7 +223,13 @@ class Session {
   void write_summary() {
     summary_.wall_total = seconds_since(start_);
     summary_.wall_output = ledger_.seconds["output"];
-    summary_.wall_coupling = summary_.wall_total - summary_.wall_output - ledger_.seconds["waiting"];
+    summary_.wall_coupling = summary_.wall_total - summary_.wall_output;
+    constexpr std::string_view waiting = "waiting:";
+    for (const auto& [name, seconds] : ledger_.seconds) {
+      if (!name.starts_with(waiting)) continue;
+      summary_.waited_for[name.substr(waiting.size())] = seconds;
+      summary_.wall_coupling -= seconds;
+    }
     summary_.peak_memory = peak_memory_bytes();
     output::replace_text(options_.folder + "/summary.json", to_json(summary_));
   }

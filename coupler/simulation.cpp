@@ -1,5 +1,6 @@
 #include "simulation.hpp"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -22,6 +23,8 @@ bool lets_fluid_move_bodies(const scene::Coupling& coupling, const Participants&
       "or \"analytic\"");
   return participants.fluid_moves_bodies && (asked == "auto" || asked == "fluid");
 }
+
+constexpr std::uint32_t most_recuts = 2;  ///< in a step
 
 Eigen::VectorXd weights(const coupling::RigidDofs& dofs, const std::vector<double>& gravity) {
   Eigen::VectorXd force = dofs.inertia();
@@ -52,6 +55,7 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
     accepted_.motions.push_back(motion);
   }
   accepted_.loads.resize(scene.bodies.size());
+  if (scene.fluid) float_in_still_fluid();
   accepted_.contacts.resize(scene.bodies.size());
   for (const scene::Wall& wall : scene.walls) {
     if (!wall.moves()) continue;
@@ -61,19 +65,88 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
   }
 }
 
+/// Before the first step this is all that is known of the fluid's force.
+void Simulation::float_in_still_fluid() {
+  for (const std::size_t i : dofs_.bodies()) {
+    const scene::Body& body = scene_.bodies[i];
+    const double volume = body.volume(scene_.hydraulic_radius_ratio * body.radius, scene_.thickness);
+    accepted_.loads[i].force =
+        -scene_.fluid->density * volume * coupling::to_eigen(scene::to_vec3(scene_.gravity));
+  }
+}
+
 Attempt Simulation::attempt(double start, double end, double time_step) {
   begin_trial(start, end, time_step);
-  place_bodies(start);
+  place_bodies(start, predictor_.guess(step_start()));
+  iterate(fluid_moves_bodies_ ? iterate_of(force_of_dem_) : dofs_.velocities(trial_.placed));
+  while (is_badly_placed()) {
+    ++trial_.report.recuts;
+    const Eigen::VectorXd found = dofs_.velocities(trial_.state.motions);
+    place_bodies(start, found);
+    iterate(fluid_moves_bodies_ ? iterate_of(trial_.force_of_dem) : found);
+  }
+  return trial_.report;
+}
+
+bool Simulation::is_badly_placed() const {
+  const scene::Coupling& asked = scene_.coupling;
+  const bool iterates = asked.scheme == "auto" || asked.scheme == "implicit";
+  return iterates && asked.recut_above > 0 && trial_.report.converged &&
+         trial_.report.miss > asked.recut_above && trial_.report.recuts < most_recuts;
+}
+
+/// Exchanges until the step converges or fails, added to those that the trial has seen.
+void Simulation::iterate(const Eigen::VectorXd& first) {
+  const std::uint32_t before = trial_.report.sub_iterations;
   const coupling::CoupledMap map = [this](const Eigen::VectorXd& x, std::uint32_t k) {
     return exchange(x, k);
   };
-  static_cast<coupling::StepResult&>(trial_.report) =
-      iteration_.solve(map, first_iterate(), inertia_, time_step);
-  return trial_.report;
+  std::vector<coupling::StallEvent> stalls = std::move(trial_.report.stalls);
+  coupling::StepResult& result = trial_.report;
+  result = iteration_.solve(map, first, inertia_, trial_.time_step, contraction());
+  result.sub_iterations += before;
+  result.stalls.insert(result.stalls.begin(), stalls.begin(), stalls.end());
+  measure_ways();
+}
+
+/// How far bodies went, and how far from where they were predicted, against the elements beside them.
+void Simulation::measure_ways() {
+  if (!solvers_.has_fluid() || trial_.time_step == 0) return;
+  double way = 0, miss = 0;
+  for (std::size_t i = 0; i < trial_.placed.size(); ++i) {
+    const Eigen::Vector3d& found = trial_.state.motions[i].position;
+    way = std::max(way, (found - accepted_.motions[i].position).norm() / element_size(i));
+    miss = std::max(miss, (found - trial_.placed[i].position).norm() / element_size(i));
+  }
+  trial_.report.displacement = way;
+  trial_.report.miss = miss;
+}
+
+double Simulation::element_size(std::size_t body) const {
+  return solvers_.arc_lengths()[body] / scene_.fluid->embedding.arc_ratio;
+}
+
+coupling::StepStart Simulation::step_start() const {
+  return {.velocities = dofs_.velocities(accepted_.motions),
+          .force = dofs_.loads(accepted_.loads) + weights(dofs_, scene_.gravity),
+          .inertia = dofs_.inertia(),
+          .added_inertia = trial_.added,
+          .time_step = trial_.time_step};
+}
+
+/// What a residual becomes at most in the next exchange, where nothing touches: a body's motion changes the
+/// fluid's force on it by its added inertia, or several times that near others; the DEM answers with its
+/// mass.
+double Simulation::contraction() const {
+  constexpr double near_others = 4;
+  const bool touches = std::ranges::any_of(trial_.state.contacts, [](std::uint32_t n) { return n > 0; });
+  if (fluid_moves_bodies_ || touches || trial_.added.isZero(0)) return 1;
+  return near_others * trial_.added.cwiseQuotient(dofs_.inertia()).maxCoeff();
 }
 
 void Simulation::begin_trial(double start, double end, double time_step) {
   trial_ = {};
+  exchanges_ = 0;
   trial_.end = end;
   trial_.time_step = time_step;
   trial_.placed = accepted_.motions;
@@ -81,18 +154,19 @@ void Simulation::begin_trial(double start, double end, double time_step) {
   trial_.state.loads = accepted_.loads;
   for (std::size_t i = 0; i < moving_walls_.size(); ++i)
     trial_.state.walls.push_back(moving_walls_[i].advanced(accepted_.walls[i], start, end));
+  trial_.state.contacts = accepted_.contacts;
   trial_.added = scene_.fluid && scene_.coupling.response != "none"
                      ? coupling::added_inertia(dofs_, *scene_.fluid, scene_.hydraulic_radius_ratio, time_step)
                      : Eigen::VectorXd::Zero(dofs_.size());
   inertia_ = dofs_.inertia() + trial_.added;
 }
 
-/// Free bodies at their predicted places, the others where their formulas say. All sub-iterations share the
-/// geometry; only velocities change (numerics: re-cutting costs two to three times and changes the speed by
-/// 3e-6 to 8e-4).
-void Simulation::place_bodies(double start) {
-  const Eigen::VectorXd now = dofs_.velocities(accepted_.motions);
-  dofs_.set_velocities(predictor_.guess(now, trial_.time_step), trial_.placed);
+/// Free bodies where the predicted velocities bring them, the others where their formulas say. All
+/// sub-iterations share the geometry; only velocities change (numerics: re-cutting costs two to three times
+/// and changes the speed by 3e-6 to 8e-4).
+void Simulation::place_bodies(double start, const Eigen::VectorXd& predicted) {
+  dofs_.set_velocities(predicted, trial_.placed);
+  trial_.state.arcs.clear();
   for (std::size_t i = 0; i < trial_.placed.size(); ++i) {
     const coupling::RigidMotion& before = accepted_.motions[i];
     coupling::RigidMotion& placed = trial_.placed[i];
@@ -107,11 +181,9 @@ void Simulation::place_bodies(double start) {
   }
 }
 
-/// The predicted velocities; or, where the fluid moves the bodies, the velocities that the DEM alone would
-/// give with its forces of the last step and all inertia.
-Eigen::VectorXd Simulation::first_iterate() const {
-  if (!fluid_moves_bodies_) return dofs_.velocities(trial_.placed);
-  return dofs_.velocities(accepted_.motions) + trial_.time_step * force_of_dem_.cwiseQuotient(inertia_);
+/// Where the fluid moves the bodies: the velocities that the DEM alone would give with all inertia.
+Eigen::VectorXd Simulation::iterate_of(const Eigen::VectorXd& force_of_dem) const {
+  return dofs_.velocities(accepted_.motions) + trial_.time_step * force_of_dem.cwiseQuotient(inertia_);
 }
 
 /// One answer of the fluid and one of the DEM. Both have moved the free bodies then; the residual is by how
@@ -132,13 +204,13 @@ coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t 
   if (!solvers_.dem_takes_added_inertia())
     answer.residual.array() *= dofs_.inertia().array() / inertia_.array();
   if (fluid_moves_bodies_) trial_.force_of_dem += inertia_.cwiseProduct(answer.residual) / trial_.time_step;
-  if (after_exchange) after_exchange(sub_iteration + 1);
+  if (after_exchange) after_exchange(++exchanges_);
   return answer;
 }
 
 void Simulation::accept() {
   solvers_.accept(trial_.state);
-  predictor_.accept(dofs_.velocities(accepted_.motions), trial_.time_step);
+  predictor_.accept(dofs_.velocities(trial_.state.motions));
   iteration_.accept();
   forget_changed_contacts();
   if (fluid_moves_bodies_) force_of_dem_ = trial_.force_of_dem;
@@ -162,6 +234,7 @@ void Simulation::forget_changed_contacts() {
 void Simulation::restore() {
   solvers_.restore();
   iteration_.reject();
+  predictor_.reject();
 }
 
 NumbersByName Simulation::numbers() const {

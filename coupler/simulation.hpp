@@ -33,6 +33,10 @@ class Simulation {
 
   std::uint64_t steps() const { return steps_; }  ///< accepted so far
   const CoupledState& state() const { return accepted_; }
+  /// The name of the body that an unknown of the coupling belongs to.
+  const std::string& body_of(Eigen::Index unknown) const {
+    return scene_.bodies[dofs_.bodies()[static_cast<std::size_t>(unknown / 3)]].name;
+  }
   /// What a participant reported with the last accepted step: probes, boundary forces, energies. Nothing
   /// where it did not, as for a probe that a body covers for a while.
   std::optional<double> figure(const std::string& name) const { return solvers_.figure(name); }
@@ -45,9 +49,16 @@ class Simulation {
   std::function<void(std::uint32_t)> after_exchange;
 
  private:
+  void float_in_still_fluid();
   void begin_trial(double start, double end, double time_step);
-  void place_bodies(double start);
-  Eigen::VectorXd first_iterate() const;
+  void place_bodies(double start, const Eigen::VectorXd& predicted);
+  void iterate(const Eigen::VectorXd& first);
+  bool is_badly_placed() const;
+  void measure_ways();
+  coupling::StepStart step_start() const;
+  double contraction() const;
+  double element_size(std::size_t body) const;
+  Eigen::VectorXd iterate_of(const Eigen::VectorXd& force_of_dem) const;
   void forget_changed_contacts();
   coupling::Exchange exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration);
 
@@ -65,7 +76,8 @@ class Simulation {
   CoupledState accepted_;
   Eigen::VectorXd force_of_dem_;  ///< mean over the accepted step on each unknown [N], [N m]
   Trial trial_;
-  Eigen::VectorXd inertia_;  ///< of each unknown in the trial, with what the fluid adds
+  std::uint32_t exchanges_ = 0;  ///< in it
+  Eigen::VectorXd inertia_;      ///< of each unknown in the trial, with what the fluid adds
 };
 
 }  // namespace fpi

@@ -63,7 +63,8 @@ def profiles(curves: dict[str, results.Curve], quantities: dict[str, str], extre
 def panels(history: dict[str, np.ndarray]) -> list[tuple[str, list[str], bool]]:
     """Label, columns and whether logarithmic: forces, energies, coefficients, probes, iterations, residuals; columns without
     a value other than zero are left out."""
-    own = {"time", "step", "sub_iterations", "residual_velocity", "residual_force", "newton_iterations"}
+    own = {"time", "step", "sub_iterations", "residual_velocity", "residual_force", "newton_iterations", "columns_kept",
+           "columns_dropped", "displacement", "miss", "recuts"}
     forces = [name for name in history if name.endswith((".fx", ".fy"))]
     coefficients = [[name for name in history if name.split(".")[-1] == kind] for kind in ("drag", "lift")]
     others = [name for name in history if name not in own and "." not in name and name not in sum(coefficients, [])]
@@ -72,6 +73,8 @@ def panels(history: dict[str, np.ndarray]) -> list[tuple[str, list[str], bool]]:
     wanted += [("energy [J]", [name for name in history if name.startswith("energy.")], False)]
     wanted += [(name, [name], False) for name in others]
     wanted += [("iterations a step", ["sub_iterations", "newton_iterations"], False),
+               ("columns a step", ["columns_kept", "columns_dropped"], False),
+               ("elements a step", ["displacement", "miss"], False), ("cuts anew a step", ["recuts"], False),
                ("relative change", ["residual_velocity", "residual_force"], True)]
     telling = [(label, [name for name in names if name in history and np.nan_to_num(history[name]).any()][:MOST_NAMES],
                 logarithmic) for label, names, logarithmic in wanted]

@@ -37,6 +37,22 @@ def summary_of(run: Path) -> dict | None:
         raise Refusal(f"{path} must be JSON; it cannot be read: {error}") from error
 
 
+def coupling(figures: dict) -> list[tuple[str, str]]:
+    """What the coupling had to do besides, where there was anything, and how long each program was waited for."""
+    lines = []
+    counts = {"rejected steps": figures.get("rejected_steps"), "repeated steps": figures.get("repeated_steps"),
+              "cuts anew": figures.get("recuts"), **{f"stalls: {remedy.replace('_', ' ')}": count
+                                                     for remedy, count in figures.get("stalls", {}).items()}}
+    if any(counts.values()):
+        lines.append(("again", ", ".join(f"{name} {count}" for name, count in counts.items() if count)))
+    worst = figures.get("worst_body", {})
+    if worst.get("name"):
+        lines.append(("worst body", f"{worst['name']}, in {worst['steps']} steps"))
+    if figures.get("waited_for"):
+        lines.append(("waited for", ", ".join(f"{role} {seconds:.3g} s" for role, seconds in figures["waited_for"].items())))
+    return lines
+
+
 def rows(summary: dict) -> list[tuple[str, str]]:
     """What is worth a line at the end of a run. Figures of a participant that was lost are null: left out."""
     iterations = summary["sub_iterations"]
@@ -44,6 +60,7 @@ def rows(summary: dict) -> list[tuple[str, str]]:
              ("steps", f"{summary['steps']}")]
     if iterations["max"]:
         lines.append(("sub-iterations", f"mean {iterations['mean']:.3g}, most {iterations['max']}"))
+    lines += coupling(summary.get("coupling", {}))
     for body in summary["bodies"][:MOST_LOADS]:
         lines.append((body["name"], f"at {vector(body['position'])} m, velocity {vector(body['velocity'])} m/s, "
                                     + load(body)))

@@ -11,9 +11,19 @@ namespace fpi::scene {
 namespace {
 
 constexpr std::array<std::string_view, 4> rectangle_sides{"left", "right", "bottom", "top"};
-constexpr std::array<std::string_view, 8> history_columns{
-    "time", "step", "sub_iterations", "residual_velocity", "residual_force", "newton_iterations",
-    "drag", "lift"};
+constexpr std::array<std::string_view, 13> history_columns{"time",
+                                                           "step",
+                                                           "sub_iterations",
+                                                           "residual_velocity",
+                                                           "residual_force",
+                                                           "newton_iterations",
+                                                           "columns_kept",
+                                                           "columns_dropped",
+                                                           "displacement",
+                                                           "miss",
+                                                           "recuts",
+                                                           "drag",
+                                                           "lift"};
 
 /// " (did you mean \"steel\"?)", or the whole list where nothing is near.
 template <class Range>

@@ -9,6 +9,7 @@
 namespace fpi::scene {
 
 struct Coupling {
+  std::string scheme = "auto";
   std::string acceleration = "iqn-ils";
   double relaxation = 1;  ///< ω: constant, or the first of the others
   std::string response = "auto";
@@ -16,14 +17,23 @@ struct Coupling {
   double absolute_velocity = 1e-10;  ///< [m/s]
   double absolute_force = 1e-12;     ///< [N]
   std::int64_t max_iterations = 50;
-  std::string predictor = "linear";
+  std::string predictor = "auto";
+  double recut_above = 0.1;         ///< of h
   double participant_timeout = 10;  ///< [s] without any sign of life
 
+  static constexpr std::array<std::string_view, 4> schemes{"auto", "implicit", "semi_implicit", "explicit"};
   static constexpr std::array<std::string_view, 4> accelerations{"constant", "aitken", "iqn-ils", "iqn-imvj"};
   static constexpr std::array<std::string_view, 4> responses{"auto", "none", "analytic", "fluid"};
-  static constexpr std::array<std::string_view, 2> predictors{"constant", "linear"};
+  static constexpr std::array<std::string_view, 5> predictors{"auto", "constant", "linear", "quadratic",
+                                                              "physical"};
 
   void declare(ParameterVisitor& v) {
+    v.choice(
+        {"scheme", "",
+         "implicit: exchanges until fluid and grains agree; semi_implicit: the motion is corrected once, "
+         "two exchanges a step; explicit: one exchange; auto: implicit, but bodies much heavier than the "
+         "fluid are not verified where the next exchange is proven to be within the tolerance"},
+        scheme, schemes);
     v.choice(
         {"acceleration", "",
          "how the next iterate is found: constant or Aitken's relaxation, or interface quasi-Newton with "
@@ -46,8 +56,16 @@ struct Coupling {
            not_negative());
     v.integer({"max_iterations", "", "sub-iterations before the step is rejected and halved"}, max_iterations,
               between(1, 10000));
-    v.choice({"predictor", "", "first guess of the velocity: that of the last step, or extrapolated"},
-             predictor, predictors);
+    v.choice(
+        {"predictor", "",
+         "first guess of the velocity: that of the last step, extrapolated linearly or quadratically, or by "
+         "the equation of motion with the last force; auto: for each body the best so far"},
+        predictor, predictors);
+    v.real(
+        {"recut_above", "h",
+         "where a body ends farther than this from where it was predicted, in element sizes beside it, the "
+         "geometry is cut anew and the step repeated from there; 0: never"},
+        recut_above, not_negative());
     v.real({"participant_timeout", "s", "a participant silent for this long has vanished"},
            participant_timeout, between(1, 3600));
   }

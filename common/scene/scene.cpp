@@ -74,6 +74,8 @@ Scene part_of(Part part, const Scene& scene) {
     }
     p.fluid.reset();
     p.time.relative_tolerance = 0;
+    p.time.max_displacement = 0;
+    p.time.wanted_sub_iterations = 0;
     p.coefficients.clear();
     p.probes.clear();
     p.profiles.clear();

@@ -22,28 +22,43 @@ struct Time {
   double step = 0;  ///< Δt [s]
   double end = 0;   ///< [s]
   double relative_tolerance = 0;
+  double max_displacement = 0;  ///< of h
+  std::int64_t wanted_sub_iterations = 0;
   double min_step = 0, max_step = 0;  ///< [s]
   std::int64_t max_halvings = 6;
 
+  bool adapts() const { return relative_tolerance > 0 || max_displacement > 0 || wanted_sub_iterations > 0; }
+
   void declare(ParameterVisitor& v) {
     v.boolean({"steady", "", "true: one steady solve, no time loop"}, steady);
-    v.real(
-        {"step", "s",
-         "largest time step Δt, or the first one where relative_tolerance > 0; the steps to each output time "
-         "and to the end are equal and hit it exactly; needed unless steady"},
-        step, not_negative());
+    v.real({"step", "s",
+            "largest time step Δt, or the first one where relative_tolerance > 0 or max_step is given and "
+            "the steps "
+            "adapt; the steps to each output time "
+            "and to the end are equal and hit it exactly; needed unless steady"},
+           step, not_negative());
     v.real({"end", "s", "time at which the run ends; needed unless steady"}, end, not_negative());
     v.real(
         {"relative_tolerance", "",
          "error of a step in time, over the velocity, that the size of the steps is chosen by; 0: steps of "
          "the size given"},
         relative_tolerance, between(0, 0.5));
+    v.real({"max_displacement", "h",
+            "largest way of a body in a step, in element sizes beside it, that the size of the steps is "
+            "chosen by; "
+            "0: any"},
+           max_displacement, not_negative());
+    v.integer({"wanted_sub_iterations", "",
+               "the steps become smaller where more sub-iterations are needed than this; 0: they do not"},
+              wanted_sub_iterations, between(0, 10000));
     v.real(
         {"min_step", "s",
          "smallest step chosen so; 0: a thousandth of step; the equal steps to an output time or the end and "
          "halved ones may be smaller"},
         min_step, not_negative());
-    v.real({"max_step", "s", "largest step chosen so; 0: no limit"}, max_step, not_negative());
+    v.real({"max_step", "s",
+            "largest step chosen so; 0: no limit where relative_tolerance > 0, else the step given"},
+           max_step, not_negative());
     v.require(min_step <= step, "min_step", "must be at most step");
     v.require(max_step == 0 || max_step >= step, "max_step", "must be at least step, or 0");
     v.integer({"max_halvings", "", "how often a step that does not converge is halved before the run ends"},

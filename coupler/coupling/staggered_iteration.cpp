@@ -2,19 +2,58 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "coupling/aitken.hpp"
+
 namespace fpi::coupling {
+namespace {
+
+/// The iterate with the least residual so far: where an iteration that stalled goes on from.
+struct Best {
+  Eigen::VectorXd x, residual;
+  void take(const Eigen::VectorXd& other, const Eigen::VectorXd& other_residual) {
+    if (x.size() > 0 && other_residual.norm() >= residual.norm()) return;
+    x = other;
+    residual = other_residual;
+  }
+};
+
+Eigen::Index largest(const Eigen::VectorXd& residual) {
+  Eigen::Index at = 0;
+  if (residual.size() > 0) residual.cwiseAbs().maxCoeff(&at);
+  return at;
+}
+
+Residual operator*(double factor, const Residual& residual) {
+  return {.relative = factor * residual.relative, .largest = factor * residual.largest};
+}
+
+}  // namespace
 
 StaggeredIteration::StaggeredIteration(const scene::Coupling& parameters, const RigidDofs& dofs)
     : parameters_(parameters), lever_(dofs.lever()), acceleration_(make_acceleration(parameters)) {}
 
+bool StaggeredIteration::is_good_enough(const ConvergenceMeasure& measure, double contraction,
+                                        const StepResult& result) const {
+  if (parameters_.scheme == "explicit") return true;
+  if (parameters_.scheme == "semi_implicit" && result.sub_iterations == 2) return true;
+  const bool is_safe = parameters_.scheme == "auto" && contraction <= safe_contraction;
+  const double next = is_safe ? std::max(contraction, least_contraction) : 1;
+  return measure.converged(next * result.velocity, next * result.force);
+}
+
 StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorXd& guess,
-                                     const Eigen::VectorXd& inertia, double time_step) {
+                                     const Eigen::VectorXd& inertia, double time_step, double contraction) {
   const ConvergenceMeasure measure(parameters_, inertia, lever_);
   const Eigen::VectorXd scale = inertia.cwiseSqrt();
   StepResult result;
   Eigen::VectorXd x = guess;
+  StallWatch watch;
+  Best best;
+  std::optional<Aitken> fallback;
   acceleration_->begin_step();
   while (result.sub_iterations < parameters_.max_iterations) {
     const Exchange exchange = map(x, result.sub_iterations++);
@@ -22,25 +61,38 @@ StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorX
       result.reason = exchange.reason;
       return result;
     }
-    const Eigen::VectorXd& residual = exchange.residual;
-    if (!residual.allFinite() || !exchange.forces.allFinite()) {
+    if (!exchange.residual.allFinite() || !exchange.forces.allFinite()) {
       result.reason = "velocities or forces are no longer finite";
       return result;
     }
-    result.velocity = measure.velocity(residual, exchange.velocities);
-    result.force = measure.force(residual, exchange.forces, time_step);
-    result.converged = measure.converged(result.velocity, result.force);
-    const Eigen::VectorXd scaled = x.cwiseProduct(scale), scaled_residual = residual.cwiseProduct(scale);
+    Eigen::VectorXd scaled = x.cwiseProduct(scale), residual = exchange.residual.cwiseProduct(scale);
+    result.velocity = measure.velocity(exchange.residual, exchange.velocities);
+    result.force = measure.force(exchange.residual, exchange.forces, time_step);
+    result.worst = largest(residual);
+    result.converged = is_good_enough(measure, contraction, result);
     if (result.converged) {
-      acceleration_->finish(scaled, scaled_residual);
+      acceleration_->finish(scaled, residual);
       return result;
     }
-    x = acceleration_->next(scaled, scaled_residual).cwiseQuotient(scale);
+    best.take(scaled, residual);
+    if (const Stall stall = watch.add(residual); stall != Stall::none) {
+      const Remedy remedy{static_cast<int>(result.stalls.size())};
+      result.stalls.push_back({stall, remedy, result.worst});
+      if (remedy == Remedy::shorter_step) break;
+      if (remedy == Remedy::aitken) fallback.emplace(std::min(0.5, parameters_.relaxation));
+      acceleration_->reject();
+      acceleration_->begin_step();
+      watch.reset();
+      std::tie(scaled, residual) = std::tie(best.x, best.residual);
+    }
+    Acceleration& acceleration = fallback ? *fallback : *acceleration_;
+    x = acceleration.next(scaled, residual).cwiseQuotient(scale);
+    result.columns = acceleration_->columns();
   }
   result.reason = fmt::format(
       "the coupling did not converge in {} sub-iterations (residual of velocity {:.2g}, of force {:.2g}, "
       "relative)",
-      parameters_.max_iterations, result.velocity.relative, result.force.relative);
+      result.sub_iterations, result.velocity.relative, result.force.relative);
   return result;
 }
 

@@ -11,6 +11,7 @@
 
 #include "coupling/acceleration.hpp"
 #include "coupling/convergence.hpp"
+#include "coupling/stall.hpp"
 
 namespace fpi::coupling {
 
@@ -24,22 +25,40 @@ struct Exchange {
 };
 using CoupledMap = std::function<Exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration)>;
 
+/// What is done where an iteration stalls, one after the other.
+enum class Remedy { drop_history, aitken, shorter_step };
+struct StallEvent {
+  Stall stall;
+  Remedy remedy;
+  Eigen::Index unknown;  ///< with the largest residual
+};
+
 struct StepResult {
   bool converged = false;
   std::string reason;                ///< why not
   std::uint32_t sub_iterations = 0;  ///< exchanges, with the one that verified convergence
   Residual velocity, force;          ///< of the last exchange
+  Eigen::Index worst = 0;            ///< unknown with the largest residual there
+  ColumnCount columns;               ///< of the last acceleration
+  std::vector<StallEvent> stalls;
 };
 
 class StaggeredIteration {
  public:
+  /// The residual of the exchange after the next is at least this part of the next one's, whatever is proven
+  /// of the map: more than that a step is not taken without being verified.
+  static constexpr double least_contraction = 1e-2;
+  static constexpr double safe_contraction = 0.2;  ///< above it nothing is taken unverified
+
   StaggeredIteration(const scene::Coupling& parameters, const RigidDofs& dofs);
 
   /// Iterates a step of size Δt [s] from `guess`, in units of velocity. `inertia` > 0 measures the unknowns,
   /// so that a norm is a kinetic energy and one factor suits them all. A guess that comes true takes a single
-  /// exchange.
+  /// exchange. The scheme "explicit" takes the first exchange as it is, "semi_implicit" corrects the motion
+  /// once and takes the second. With "auto" an exchange is taken where the residual of the next is proven to
+  /// be within the tolerances: `contraction`, where it is small, bounds the one over the other.
   StepResult solve(const CoupledMap& map, const Eigen::VectorXd& guess, const Eigen::VectorXd& inertia,
-                   double time_step);
+                   double time_step, double contraction = 1);
 
   /// The step counts, or does not.
   void accept() { acceleration_->accept(); }
@@ -51,6 +70,8 @@ class StaggeredIteration {
   void set_state(std::span<const double> state) { acceleration_->set_state(state); }
 
  private:
+  bool is_good_enough(const ConvergenceMeasure& measure, double contraction, const StepResult& result) const;
+
   scene::Coupling parameters_;
   Eigen::VectorXd lever_;
   std::unique_ptr<Acceleration> acceleration_;

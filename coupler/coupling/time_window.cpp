@@ -9,15 +9,21 @@ namespace {
 constexpr double round_off = 1e-9;  ///< of a step or an interval
 constexpr double safety = 0.9, most_growth = 2, least_change = 1.2, most_shrinkage = 5;
 
+/// Only an error in time shows that a step may be larger than the one given.
+double largest_allowed(const scene::Time& time) {
+  if (time.max_step > 0) return time.max_step;
+  return time.relative_tolerance > 0 ? std::max(time.end, time.step) : time.step;
+}
+
 }  // namespace
 
 TimeWindow::TimeWindow(const scene::Time& time, double output_interval)
     : nominal_(time.step),
       end_(time.end),
       interval_(output_interval),
-      tolerance_(time.relative_tolerance),
+      adapts_(time.adapts()),
       smallest_(time.min_step > 0 ? time.min_step : 1e-3 * time.step),
-      largest_allowed_(time.max_step > 0 ? time.max_step : std::max(time.end, time.step)),
+      largest_allowed_(largest_allowed(time)),
       max_halvings_(static_cast<int>(time.max_halvings)),
       largest_(time.step) {
   plan(0);
@@ -47,18 +53,18 @@ std::int64_t TimeWindow::steps_left() const {
   return count_ - taken_ + static_cast<std::int64_t>(std::ceil(after_target / largest_ - round_off));
 }
 
-/// An error of 0 (a fluid at rest) gives an infinite factor: the step grows as much as it may.
-double TimeWindow::wanted_step(const TimeError& error) const {
-  const double factor = safety * std::pow(tolerance_ / error.value, 1 / error.order);
-  const double step = step_ * std::clamp(factor, 1 / most_shrinkage, most_growth);
-  return std::clamp(step, smallest_, largest_allowed_);
+/// An excess of 0 (a fluid at rest) gives an infinite factor: the step grows as much as it may.
+double TimeWindow::wanted_step(std::span<const Demand> demands) const {
+  double factor = most_growth;
+  for (const Demand& demand : demands)
+    factor = std::min(factor, safety * std::pow(demand.excess, -1 / demand.order));
+  return std::clamp(step_ * std::max(factor, 1 / most_shrinkage), smallest_, largest_allowed_);
 }
 
-Verdict TimeWindow::judge(const TimeError& error) {
-  if (tolerance_ == 0 || error.order <= 0 || error.value <= 2 * tolerance_) return Verdict::take;
+Verdict TimeWindow::judge(std::span<const Demand> demands) {
+  if (std::ranges::all_of(demands, [](const Demand& d) { return d.excess <= d.most; })) return Verdict::take;
   if (step_ <= smallest_ * (1 + round_off)) return Verdict::take_at_smallest;
-  largest_ = std::min(wanted_step(error), 0.5 * step_);
-  largest_ = std::max(largest_, smallest_);
+  largest_ = std::max(smallest_, std::min(wanted_step(demands), step_ / least_change));
   plan(start());
   return Verdict::repeat;
 }
@@ -71,12 +77,12 @@ bool TimeWindow::count_success() {
   return true;
 }
 
-void TimeWindow::accept(const TimeError& error) {
+void TimeWindow::accept(std::span<const Demand> demands) {
   ++taken_;
   const double before = largest_, now = start();
   const bool regrows = count_success();
-  if (tolerance_ > 0 && error.order > 0) {
-    const double wanted = wanted_step(error);
+  if (!demands.empty()) {
+    const double wanted = wanted_step(demands);
     const bool grows = wanted > least_change * largest_ && halvings_ == 0;
     if (grows || wanted < largest_ / least_change) largest_ = wanted;
   } else if (regrows) {
@@ -90,7 +96,7 @@ bool TimeWindow::halve() {
   if (halvings_ >= max_halvings_) return false;
   ++halvings_;
   successes_ = 0;
-  if (tolerance_ > 0) {
+  if (adapts_) {
     largest_ = 0.5 * step_;
   } else {  // halves of the nominal step only, or repeated regrowth would let the step drift
     for (largest_ = nominal_; largest_ > 0.75 * step_;) largest_ /= 2;

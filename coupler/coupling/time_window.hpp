@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "scene/scene.hpp"
@@ -17,14 +18,22 @@ struct TimeError {
   double order = 0;  ///< power of Δt that it goes with; 0: no error is said
 };
 
+/// A quantity that the size of the steps is chosen by.
+struct Demand {
+  std::string_view what;  ///< its name, with the key of the scene that bounds it
+  double excess = 0;      ///< of the step just tried, over what the scene allows
+  double order = 1;       ///< power of Δt that it goes with
+  double most = 2;        ///< a step with more excess is repeated
+};
+
 /// What is to be done with a step that converged.
 enum class Verdict { take, repeat, take_at_smallest };
 
 /// The way to the next output time (or the end) is divided into equal steps, none larger than the step in
-/// force. That is `time.step`, or, with a tolerance, what the errors of the steps ask for: Δt
-/// (tolerance/error) to the power 1/order, times 0.9; at most twice the last step, kept where it would change
-/// by less than 20 % (so that factors of matrices keep as well). Where no error is said, a halved step grows
-/// back as without a tolerance.
+/// force. That is `time.step`, or, where the scene lets it adapt, what the demands of the steps ask for: the
+/// least of Δt/excess to the power 1/order, times 0.9; at most twice the last step, kept where it would
+/// change by less than 20 % (so that factors of matrices keep as well). Where nothing is demanded, a halved
+/// step grows back as without.
 class TimeWindow {
  public:
   static constexpr int successes_to_regrow = 5;  ///< accepted steps before a halved step is doubled again
@@ -39,11 +48,11 @@ class TimeWindow {
   bool ends_at_output() const { return taken_ + 1 == count_; }
   std::int64_t steps_left() const;  ///< an estimate
 
-  /// Whether the step may be accepted. Where its error is more than twice the tolerance it is to be repeated,
-  /// and is smaller now, unless it is the smallest already.
-  Verdict judge(const TimeError& error);
+  /// Whether the step may be accepted. Where a demand is exceeded by too much it is to be repeated, and is
+  /// smaller now, unless it is the smallest already.
+  Verdict judge(std::span<const Demand> demands);
   /// The step was accepted.
-  void accept(const TimeError& error = {});
+  void accept(std::span<const Demand> demands = {});
   /// The step did not converge: it is halved. False where it was halved as often as allowed.
   bool halve();
 
@@ -52,7 +61,7 @@ class TimeWindow {
 
  private:
   void plan(double from);
-  double wanted_step(const TimeError& error) const;
+  double wanted_step(std::span<const Demand> demands) const;
   bool count_success();
   double next_target(double from) const;
   double time_after(std::int64_t steps) const {
@@ -60,7 +69,8 @@ class TimeWindow {
   }
 
   double nominal_, end_, interval_;
-  double tolerance_, smallest_, largest_allowed_;  ///< 0: fixed steps; [s]; [s]
+  bool adapts_;
+  double smallest_, largest_allowed_;  ///< [s]
   int max_halvings_;
   double largest_;     ///< [s] step in force
   int halvings_ = 0;   ///< that are in force

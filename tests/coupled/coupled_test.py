@@ -13,7 +13,7 @@ from harness import DRUM_SCENE, SETTLING_SCENE, CoupledRun, channel_scene, inter
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
 KEYS = {"status", "reason", "steps", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
         "wall_seconds", "peak_memory_bytes", "bodies", "boundaries", "coefficients", "probes", "signals", "profiles",
-        "errors", "counts", "grains"}
+        "errors", "counts", "grains", "coupling"}
 SECONDS = {"total", "mesh", "assembly", "factor", "solve", "interface", "dem", "coupling", "output"}
 
 

@@ -1,10 +1,9 @@
-/// Relaxation factors and predictors.
+/// Relaxation factors.
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
 #include "coupling/aitken.hpp"
 #include "coupling/constant_relaxation.hpp"
-#include "coupling/predictor.hpp"
 
 namespace fpi::coupling {
 namespace {
@@ -66,30 +65,6 @@ TEST(Relaxation, factors_outside_their_range_are_refused_with_their_value) {
   } catch (const Error& e) {
     EXPECT_NE(std::string(e.what()).find("got 2.5"), std::string::npos) << e.what();
   }
-}
-
-TEST(Predictor, is_constant_without_history) {
-  EXPECT_EQ(Predictor("linear").guess(Eigen::Vector2d(1, 2), 0.1), Eigen::Vector2d(1, 2));
-}
-
-TEST(Predictor, linear_is_exact_for_velocities_linear_in_time_at_any_step_sizes) {
-  const auto velocity = [](double t) { return Eigen::Vector2d(1 + 3 * t, 2 - 5 * t); };
-  Predictor predictor("linear");
-  predictor.accept(velocity(0), 0.2);
-  EXPECT_TRUE(predictor.guess(velocity(0.2), 0.5).isApprox(velocity(0.7), 1e-14));
-}
-
-TEST(Predictor, constant_keeps_the_velocity) {
-  Predictor predictor("constant");
-  predictor.accept(Eigen::Vector2d(0, 0), 0.2);
-  EXPECT_EQ(predictor.guess(Eigen::Vector2d(1, 2), 0.5), Eigen::Vector2d(1, 2));
-}
-
-TEST(Predictor, state_comes_back_to_the_bit) {
-  Predictor predictor("linear"), other("linear");
-  predictor.accept(Eigen::Vector2d(0.1, 1. / 3), 0.7);
-  other.set_state(predictor.state());
-  EXPECT_EQ(predictor.guess(Eigen::Vector2d(1, 2), 0.3), other.guess(Eigen::Vector2d(1, 2), 0.3));
 }
 
 }  // namespace

@@ -74,6 +74,45 @@ TEST_F(RunTest, steps_whose_error_in_time_is_too_large_are_restored_and_repeated
     EXPECT_NEAR(fluid.asked[k].time_step, 0.009, 0.0012);
 }
 
+TEST_F(RunTest, bodies_go_no_farther_in_a_step_than_allowed_and_the_end_is_hit) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.time.max_displacement = 0.5;
+  const double h = fluid.arc_length / scene.fluid->embedding.arc_ratio;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  double last = 3, largest = 0;
+  run.on_progress = [&](const Standing&) {
+    const double y = run.simulation().state().motions[0].position.y();
+    largest = std::max(largest, std::abs(y - last) / h);
+    last = y;
+  };
+  run.march();
+  EXPECT_EQ(run.standing().time, 1.2);
+  EXPECT_LE(largest, 0.5);
+  EXPECT_GT(largest, 0.35);
+  EXPECT_GT(run.statistics().repeated(), 0u);
+  EXPECT_EQ(run.statistics().rejected(), 0u);
+}
+
+TEST_F(RunTest, the_geometry_is_cut_anew_where_a_body_was_missed_by_more_than_allowed) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  const auto recuts = [&](double above, const char* predictor) {
+    scene.coupling.recut_above = above;
+    scene.coupling.predictor = predictor;
+    FakeFluid own_fluid;
+    FakeDem own_dem = new_dem();
+    const TemporaryFolder own_folder;
+    CoupledRun run(scene, {&own_fluid, &own_dem}, own_folder.path(), 1, ledger);
+    run.start({});
+    run.march();
+    EXPECT_TRUE(above == 0 || run.statistics().largest_miss() <= above);
+    return run.statistics().recuts();
+  };
+  EXPECT_EQ(recuts(0, "constant"), 0u);
+  EXPECT_GT(recuts(0.05, "constant"), 6u);
+  EXPECT_LT(recuts(0.05, "auto"), 3u);
+}
+
 TEST_F(RunTest, the_smallest_step_is_taken_whatever_its_error) {
   scene::Scene scene = make_scene({disc("post", "fixed")});
   scene.time.relative_tolerance = 1e-3;
@@ -207,12 +246,24 @@ TEST_F(RunTest, an_arc_length_that_is_not_positive_is_an_error) {
 
 TEST(Statistics, means_leave_out_the_first_five_steps) {
   Statistics statistics;
-  for (const std::uint32_t n : {10u, 10u, 10u, 10u, 10u}) statistics.add_step(n, 0);
+  const auto add = [&statistics](std::uint32_t sub_iterations) {
+    Attempt attempt;
+    attempt.sub_iterations = sub_iterations;
+    attempt.worst = sub_iterations == 10 ? 4 : 1;
+    statistics.add_step(attempt);
+  };
+  for (int k = 0; k < 5; ++k) add(10);
   EXPECT_EQ(statistics.mean_sub_iterations(), 10);
-  statistics.add_step(2, 0);
-  statistics.add_step(3, 0);
+  add(2);
+  add(3);
   EXPECT_EQ(statistics.mean_sub_iterations(), 2.5);
   EXPECT_EQ(statistics.max_sub_iterations(), 10u);
+  EXPECT_EQ(statistics.worst()->unknown, 4);
+  EXPECT_EQ(statistics.worst()->steps, 5u);
+  Statistics other;
+  other.set_numbers(statistics.numbers());
+  EXPECT_EQ(other.numbers(), statistics.numbers());
+  EXPECT_EQ(other.mean_sub_iterations(), 2.5);
 }
 
 TEST(Plan, names_the_participants_that_the_scene_needs) {

@@ -125,6 +125,11 @@ scene::Time adaptive(double tolerance, double first, double end, double smallest
   return time;
 }
 
+/// Of a step, where the tolerance is 1e-3.
+std::vector<Demand> error(double value, double order) {
+  return {{.what = "error", .excess = value / 1e-3, .order = order}};
+}
+
 struct Marched {
   std::vector<double> starts, steps;
   std::size_t repeats = 0;
@@ -135,15 +140,15 @@ Marched march(TimeWindow& window, Stiffness stiffness) {
   Marched marched;
   while (!window.done()) {
     const double step = window.step();
-    const TimeError error{stiffness(window.start()) * step * step * step, 3};
-    if (window.judge(error) == Verdict::repeat) {
+    const std::vector<Demand> demands = error(stiffness(window.start()) * step * step * step, 3);
+    if (window.judge(demands) == Verdict::repeat) {
       ++marched.repeats;
       EXPECT_LT(window.step(), step);
       continue;
     }
     marched.starts.push_back(window.start());
     marched.steps.push_back(step);
-    window.accept(error);
+    window.accept(demands);
   }
   return marched;
 }
@@ -181,10 +186,10 @@ TEST(AdaptiveSteps, hit_output_times_and_the_end_to_the_bit) {
   TimeWindow window(adaptive(1e-3, 0.01, 1), 0.1);
   std::vector<double> outputs;
   while (!window.done()) {
-    const TimeError error{3 * std::pow(window.step(), 2), 2};
-    if (window.judge(error) == Verdict::repeat) continue;
+    const std::vector<Demand> demands = error(3 * std::pow(window.step(), 2), 2);
+    if (window.judge(demands) == Verdict::repeat) continue;
     if (window.ends_at_output()) outputs.push_back(window.end());
-    window.accept(error);
+    window.accept(demands);
   }
   ASSERT_EQ(outputs.size(), 10u);
   for (int k = 1; k < 10; ++k) EXPECT_EQ(outputs[static_cast<std::size_t>(k) - 1], k * 0.1);
@@ -193,33 +198,54 @@ TEST(AdaptiveSteps, hit_output_times_and_the_end_to_the_bit) {
 
 TEST(AdaptiveSteps, stay_between_the_smallest_and_the_largest) {
   TimeWindow window(adaptive(1e-3, 0.05, 2, 0.01, 0.08), 0);
-  EXPECT_EQ(window.judge({1, 3}), Verdict::repeat);
+  EXPECT_EQ(window.judge(error(1, 3)), Verdict::repeat);
   EXPECT_NEAR(window.step(), 0.01, 1e-12);
-  EXPECT_EQ(window.judge({1, 3}), Verdict::take_at_smallest);
-  window.accept({1, 3});
+  EXPECT_EQ(window.judge(error(1, 3)), Verdict::take_at_smallest);
+  window.accept(error(1, 3));
   EXPECT_NEAR(window.step(), 0.01, 1e-4);
-  for (int k = 0; k < 8; ++k) window.accept({1e-9, 3});
+  for (int k = 0; k < 8; ++k) window.accept(error(1e-9, 3));
   EXPECT_LE(window.step(), 0.08);
   EXPECT_GT(window.step(), 0.07);
 }
 
 TEST(AdaptiveSteps, an_error_up_to_twice_the_tolerance_is_taken_and_the_next_step_smaller) {
   TimeWindow window(adaptive(1e-3, 0.1, 10), 0);
-  EXPECT_EQ(window.judge({1.9e-3, 3}), Verdict::take);
-  window.accept({1.9e-3, 3});
+  EXPECT_EQ(window.judge(error(1.9e-3, 3)), Verdict::take);
+  window.accept(error(1.9e-3, 3));
   EXPECT_LT(window.step(), 0.08);
-  EXPECT_EQ(window.judge({2.1e-3, 3}), Verdict::repeat);
+  EXPECT_EQ(window.judge(error(2.1e-3, 3)), Verdict::repeat);
 }
 
-TEST(AdaptiveSteps, keep_their_size_where_no_error_is_said_or_none_is_asked_for) {
-  TimeWindow silent(adaptive(1e-3, 0.1, 1), 0), fixed(of(0.1, 1), 0);
-  const TimeError large{1, 3};
+TEST(AdaptiveSteps, keep_their_size_where_nothing_is_demanded) {
+  TimeWindow silent(adaptive(1e-3, 0.1, 1), 0);
   EXPECT_EQ(silent.judge({}), Verdict::take);
-  EXPECT_EQ(fixed.judge(large), Verdict::take);
   silent.accept({});
-  fixed.accept(large);
   EXPECT_EQ(silent.step(), 0.1);
-  EXPECT_EQ(fixed.step(), 0.1);
+}
+
+TEST(AdaptiveSteps, follow_the_demand_that_asks_for_the_smallest_step) {
+  TimeWindow window(adaptive(1e-3, 0.1, 10), 0);
+  window.accept(std::vector<Demand>{{.what = "error", .excess = 0.1, .order = 3},
+                                    {.what = "way", .excess = 2, .order = 1},
+                                    {.what = "sub-iterations", .excess = 0.5, .order = 1}});
+  EXPECT_NEAR(window.step(), 0.045, 1e-3);
+}
+
+TEST(AdaptiveSteps, keep_the_way_of_a_body_within_what_is_allowed_and_do_not_outgrow_the_step_given) {
+  scene::Time time = of(0.1, 20);
+  time.max_displacement = 0.4;
+  TimeWindow window(time, 0);
+  std::size_t steps = 0;
+  for (; !window.done(); ++steps) {
+    const double speed = 1 + 9 * std::pow(std::sin(window.start()), 2), way = speed * window.step();
+    const std::vector<Demand> demands{{.what = "way", .excess = way / 0.4, .order = 1, .most = 1}};
+    if (window.judge(demands) == Verdict::repeat) continue;
+    EXPECT_LE(way, 0.4);
+    EXPECT_LE(window.step(), 0.1);
+    window.accept(demands);
+  }
+  EXPECT_EQ(window.start(), 20);
+  EXPECT_LT(steps, 600u);  // 275 at least, each as long as its way allows
 }
 
 TEST(AdaptiveSteps, a_step_that_does_not_converge_is_halved_and_grows_back_only_after_successes) {
@@ -228,19 +254,19 @@ TEST(AdaptiveSteps, a_step_that_does_not_converge_is_halved_and_grows_back_only_
   const double halved = window.step();
   EXPECT_NEAR(halved, 0.05, 1e-3);
   for (int k = 1; k < TimeWindow::successes_to_regrow; ++k) {
-    window.accept({1e-6, 3});
+    window.accept(error(1e-6, 3));
     EXPECT_EQ(window.step(), halved);
   }
-  window.accept({1e-6, 3});
+  window.accept(error(1e-6, 3));
   EXPECT_GT(window.step(), 1.5 * halved);
 }
 
 TEST(AdaptiveSteps, an_error_of_zero_lets_a_halved_step_grow_and_go_on_growing) {
   TimeWindow window(adaptive(1e-3, 0.1, 10, 0, 0.3), 0);
   window.halve();
-  for (int k = 0; k < TimeWindow::successes_to_regrow; ++k) window.accept({0, 3});
+  for (int k = 0; k < TimeWindow::successes_to_regrow; ++k) window.accept(error(0, 3));
   EXPECT_NEAR(window.step(), 0.1, 1e-3);
-  for (int k = 0; k < 2; ++k) window.accept({0, 3});
+  for (int k = 0; k < 2; ++k) window.accept(error(0, 3));
   EXPECT_NEAR(window.step(), 0.3, 0.02);
 }
 
@@ -255,7 +281,7 @@ TEST(AdaptiveSteps, without_an_error_a_halved_step_grows_back_to_the_given_one) 
 TEST(AdaptiveSteps, the_step_and_the_smallest_one_may_be_beyond_the_end) {
   TimeWindow window(adaptive(1e-3, 10, 1, 1.5), 0);
   EXPECT_EQ(window.step(), 1);
-  window.accept({1e-9, 3});
+  window.accept(error(1e-9, 3));
   EXPECT_TRUE(window.done());
   EXPECT_EQ(window.state().front(), 2) << "the step in force, twice the last one";
 }
@@ -263,7 +289,8 @@ TEST(AdaptiveSteps, the_step_and_the_smallest_one_may_be_beyond_the_end) {
 TEST(AdaptiveSteps, state_continues_to_the_bit) {
   TimeWindow window(adaptive(1e-3, 0.01, 5), 0.7), other = window;
   const auto stiffness = [](double t) { return 1 + 50 * std::sin(t) * std::sin(t); };
-  for (int k = 0; k < 20; ++k) window.accept({stiffness(window.start()) * std::pow(window.step(), 3), 3});
+  for (int k = 0; k < 20; ++k)
+    window.accept(error(stiffness(window.start()) * std::pow(window.step(), 3), 3));
   other.set_state(window.state());
   EXPECT_EQ(march(window, stiffness).steps, march(other, stiffness).steps);
 }
