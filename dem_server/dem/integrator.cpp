@@ -11,6 +11,7 @@
 #include "dem/films.hpp"
 #include "dem/pair_forces.hpp"
 #include "dem/sweep.hpp"
+#include "dem/trapezoidal.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -18,6 +19,9 @@ namespace {
 constexpr double worth_flying = 4;  ///< sub-steps that a flight must save
 constexpr double third = 1.0 / 3;
 constexpr double least_batch = 32;  ///< sub-steps for which a look ahead is good, in contacts of few steps
+constexpr double instant = 1e-6;    ///< of a sub-step: what implicit ones take contacts as means over
+constexpr double agreed = 1e-11;    ///< relative change of velocities at which an implicit sub-step is solved
+constexpr int most_iterations = 50;     ///< of an implicit sub-step
 constexpr double most_sub_steps = 1e8;  ///< in one step of the coupling, flights included
 
 class Integration {
@@ -101,12 +105,18 @@ class Integration {
     load_at((steps_left_ - third) * dt_);
     for (double kick = 0.5 * dt_; batch > 0 && outcome_.converged && outcome_.searches == searches; --batch) {
       --steps_left_;
-      films_.empty() ? sub_step(kick) : sub_step_with_films();
+      if (!films_.empty()) {
+        sub_step_with_films();
+      } else if (model_.implicit) {
+        implicit_sub_step();
+      } else {
+        sub_step(kick);
+      }
       load_at(steps_left_ * dt_);
       kick = dt_;
     }
     load_at((steps_left_ + third) * dt_);
-    if (films_.empty()) sweep({.kick = 0.5 * dt_});
+    if (films_.empty() && !model_.implicit) sweep({.kick = 0.5 * dt_});
     left_ = steps_left_ * dt_;
   }
 
@@ -121,8 +131,38 @@ class Integration {
   /// From the middle of the last sub-step, or with half the `kick` from its end, to the middle of this one.
   void sub_step(double kick) {
     move({.kick = kick, .drift = dt_, .extrapolate = 0.5 * dt_, .clear = true});
-    find_forces(dt_);
+    find_forces(dt_, dt_);
     ++outcome_.sub_steps;
+  }
+
+  void implicit_sub_step() {
+    search_ahead();
+    TrapezoidalStep step(particles_, motions_.orientation, dt_);
+    const PairMemories memories = memories_;
+    const std::vector<Memory> wall_memories = state_.wall_contacts.memories;
+    sweep({.kick = 0.5 * dt_});
+    state_.wall_contacts.drift(dt_);
+    load_at((steps_left_ + third) * dt_);
+    for (int k = 0; step.iterate(particles_, motions_.orientation) > agreed || k == 0; ++k) {
+      if (k == most_iterations) return stop_unsolved();
+      memories_ = memories;
+      state_.wall_contacts.memories = wall_memories;
+      fastest_ = sweep({.clear = true});
+      step.set_ends(particles_);
+      find_forces(dt_, instant * dt_);
+    }
+    step.finish(particles_);
+    sweep({.kick = 0.5 * dt_});
+    ++outcome_.sub_steps;
+  }
+
+  /// A search where neighbours might not hold until the end of the sub-step.
+  void search_ahead() {
+    fastest_ = sweep({});
+    const WallContacts& walls = state_.wall_contacts;
+    const double way = 2 * dt_ * std::max(fastest_, walls.speed);
+    const double moved = std::max(farthest_moved(*state_.neighbours, particles_), walls.moved);
+    if (moved + way > 0.5 * state_.neighbours->skin) search_neighbours();
   }
 
   void sub_step_with_films() {
@@ -134,7 +174,7 @@ class Integration {
     films_.prepare(0.5 * dt_);
     sweep({.extrapolate = 0.5 * dt_, .clear = true});
     damp(particles_.now);
-    find_forces(dt_);
+    find_forces(dt_, dt_);
     load_at((steps_left_ + third) * dt_);
     sweep({.kick = 0.5 * dt_});
     damp(particles_.half);
@@ -192,6 +232,14 @@ class Integration {
     }
   }
 
+  void stop_unsolved() {
+    stop(
+        fmt::format("an implicit sub-step of {:.3g} s must be solved in {} iterations: raise "
+                    "dem.steps_per_contact, or take "
+                    "dem.scheme = \"verlet\"",
+                    dt_, most_iterations));
+  }
+
   /// Stops where `more` steps would be too many.
   bool is_affordable(double more) {
     if (static_cast<double>(outcome_.sub_steps) + more < most_sub_steps) return true;
@@ -204,13 +252,14 @@ class Integration {
 
   void find_forces_at_start() {
     fastest_ = sweep({.clear = true});
-    find_forces(0);
+    find_forces(0, model_.implicit ? instant * dt_ : dt_);
   }
 
-  /// Springs have stretched for `stretch_time` [s] at the middle velocities.
-  void find_forces(double stretch_time) {
+  /// Springs have stretched for `stretch_time` [s] at the middle velocities; contacts are means over
+  /// `mean_over` [s].
+  void find_forces(double stretch_time, double mean_over) {
     const double reach = dt_ * std::max(fastest_, state_.wall_contacts.speed);
-    const SubStep step{stretch_time, dt_, reach};
+    const SubStep step{stretch_time, mean_over, reach};
     ContactCount count = add_pair_forces(model_, *state_.neighbours, step, memories_, particles_);
     add_scene_ordered(step, count);
     forces_stand_ = true;

@@ -134,6 +134,7 @@ Model make_model(const Problem& problem) {
   model.adhesion_range = problem.dem.adhesion_range;
   model.accounts_energy = problem.dem.energy;
   model.stretch = problem.dem.stretch;
+  model.implicit = problem.dem.scheme == "trapezoidal";
   model.loads_are_linear = problem.dem.loads == "linear";
   model.start_overlap = problem.dem.start_overlap;
   model.expected = expected_places(problem, model.walls);

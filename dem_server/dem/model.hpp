@@ -73,6 +73,7 @@ struct Model {
   scene::NearField near_field;
   double adhesion_range = 0;  ///< gap at which adhesion ends, over R*
   double stretch = 1;         ///< of contact times
+  bool implicit = false;      ///< sub-steps by the trapezoidal rule
   bool loads_are_linear = false;
   bool accounts_energy = false;
   double start_overlap = 0;  ///< allowed, of the smaller radius
