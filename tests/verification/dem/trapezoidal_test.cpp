@@ -52,7 +52,7 @@ TEST(Trapezoidal, swings_of_a_ball_on_a_spring_have_second_order_and_keep_their_
   const auto [fine, lost_less] = errors("trapezoidal", 200);
   EXPECT_NEAR(std::log2(coarse / fine), 4, 0.1)
       << "at an extremum the place is off by the square of the phase";
-  EXPECT_LT(lost + lost_less, 1e-7);
+  EXPECT_LT(lost + lost_less, 2e-9);
   // Theory: the phase is off by (ω Δt)²/12 of itself.
   const double phase = 20 * std::numbers::pi * std::pow(2 * std::numbers::pi / 100, 2) / 12;
   EXPECT_NEAR(coarse / (1 - std::cos(phase)), 1, 0.01);
