@@ -63,11 +63,13 @@ QUICK = {"one": (1.25, 0.1, 0), "twenty": (0.1,)}
 
 
 def run(case: Case, sets: list[str], folder: Path) -> tuple[dict, list[dict]]:
-    """Summary and history of a run, whose status may be failed."""
+    """Summary, with the processor's "seconds" a step, and history of a run, whose status may be failed."""
     out = folder / "run"
     shutil.rmtree(out, ignore_errors=True)
     command = [str(ROOT / "fpi"), "run", case.scene, "--out", str(out), "--json", *(w for s in sets for w in ("--set", s))]
-    summary = json.loads(measure(command, may_fail=True).output)
+    measured = measure(command, may_fail=True)
+    summary = json.loads(measured.output)
+    summary["seconds"] = measured.processor_seconds / max(1, summary["steps"])
     with (out / "history.csv").open(newline="") as text:
         return summary, [{name: float(value) for name, value in row.items()} for row in csv.DictReader(text)]
 
@@ -78,11 +80,6 @@ def velocities(case: Case, history: list[dict]) -> list[tuple[float, float]]:
 
 def largest(vectors: list[tuple[float, float]]) -> float:
     return max((x * x + y * y) ** 0.5 for x, y in vectors)
-
-
-def per_step(summary: dict) -> float:
-    """Seconds of a step, without the start of the programs and of the mesh."""
-    return (summary["wall_seconds"]["total"] - summary["wall_seconds"]["mesh"]) / summary["steps"]
 
 
 def compare(case: Case, steps: int, folder: Path) -> list[dict]:
@@ -100,7 +97,7 @@ def compare(case: Case, steps: int, folder: Path) -> list[dict]:
             error = largest([(a - c, b - d) for (a, b), (c, d) in zip(found, exact)]) / largest(exact)
             row |= {"mean": sum(counts[LEFT_OUT:]) / len(counts[LEFT_OUT:]), "most": max(counts), "first": counts[0],
                     "solves": summary["solves"] / len(counts), "factorisations": summary["factorisations"] / len(counts),
-                    "seconds": per_step(summary), "error": error,
+                    "seconds": summary["seconds"], "error": error,
                     "shift": largest(found) * case.step / case.cell}
         rows.append(row)
     return rows
@@ -115,7 +112,7 @@ def over_prescribed(case: Case, steps: int, folder: Path) -> dict:
 
     def row(sets: list[str]) -> dict:
         summary, _ = run(case, case.sets(steps) + sets, folder)
-        return {"seconds": per_step(summary), "factorisations": summary["factorisations"] / summary["steps"]}
+        return {"seconds": summary["seconds"], "factorisations": summary["factorisations"] / summary["steps"]}
 
     coupled, prescribed = fastest_rows(ROUNDS, float("inf"), ([], given), row)
     return {"coupled": coupled, "prescribed": prescribed, "ratio": coupled["seconds"] / prescribed["seconds"]}

@@ -15,6 +15,7 @@ ONE_THREAD = {name: "1" for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", 
 @dataclass
 class Measured:
     seconds: float
+    processor_seconds: float  # which other work on the machine hardly changes
     megabytes: float
     output: str
 
@@ -50,4 +51,4 @@ def measure(command: list[str], may_fail: bool = False) -> Measured:
         if process.returncode != 0 and not may_fail:
             sys.exit(f"bench: `{' '.join(command)}` ended with status {process.returncode}:\n"
                      f"{output[-1000:]}{errors.read()[-1000:]}")
-    return Measured(seconds, usage.ru_maxrss / 1024, output)
+    return Measured(seconds, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024, output)
