@@ -80,7 +80,7 @@ Solver::Solver(const Problem& problem) : model_(make_model(problem)) {
   accepted_.wall_contacts.motions = at_start(model_.walls);
   find_neighbours(model_, 0, accepted_);
   check_overlaps(model_, accepted_);
-  start_ = energies_of(model_, accepted_);
+  if (model_.accounts_energy) start_ = energies_of(model_, accepted_);
   restore();
 }
 

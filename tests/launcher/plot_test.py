@@ -132,8 +132,10 @@ class Plot(unittest.TestCase):
     def test_panels_without_a_value_are_left_out(self):
         zero, one = np.zeros(2), np.ones(2)
         history = {"time": one, "a.fx": zero, "a.fy": one, "lift": zero, "b.drag": one, "c.drag": one, "front": np.full(2, np.nan),
-                   "sub_iterations": one, "newton_iterations": zero, "residual_velocity": zero}
+                   "sub_iterations": one, "newton_iterations": zero, "residual_velocity": zero,
+                   "energy.kinetic": one, "energy.loads": zero}
         self.assertEqual(charts.panels(history), [("drag coefficient", ["b.drag", "c.drag"], False), ("force [N]", ["a.fy"], False),
+                                                  ("energy [J]", ["energy.kinetic"], False),
                                                   ("iterations a step", ["sub_iterations"], False)])
 
     def test_damaged_files_are_refused_with_a_sentence(self):
