@@ -37,6 +37,16 @@ inline Lanes sqrt(Lanes v) {
 #endif
 }
 
+/// To the nearest integer.
+inline double round(double v) { return std::nearbyint(v); }
+inline Lanes round(Lanes v) {
+#ifdef __AVX__
+  return _mm256_round_pd(v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+#else
+  return Lanes{std::nearbyint(v[0]), std::nearbyint(v[1]), std::nearbyint(v[2]), std::nearbyint(v[3])};
+#endif
+}
+
 inline double max(double a, double b) { return std::max(a, b); }
 inline Lanes max(Lanes a, Lanes b) { return a < b ? b : a; }
 inline double min(double a, double b) { return std::min(a, b); }

@@ -21,7 +21,7 @@ Box box_of(const scene::Grains& group, const scene::Periodic& periodic) {
           .upper = scene::to_vec3(group.upper),
           .axes = group.axes(),
           .periods = {}};
-  for (const std::size_t k : {0, 1}) {
+  for (std::size_t k = 0; k < group.lower.size(); ++k) {
     const std::vector<double>& planes = periodic.along(static_cast<int>(k));
     if (planes == std::vector{group.lower[k], group.upper[k]}) box.periods[k] = planes[1] - planes[0];
   }

@@ -17,10 +17,10 @@ void check_inside(const scene::Body& body, std::size_t axis, double lower, doubl
 
 void check_places(const scene::Scene& scene) {
   for (const scene::Body& body : scene.bodies)
-    for (const std::size_t axis : {0, 1}) {
+    for (std::size_t axis = 0; axis < body.position.size(); ++axis) {
       const std::vector<double>& planes = scene.periodic.along(static_cast<int>(axis));
       if (!planes.empty()) check_inside(body, axis, planes[0], planes[1], "the periodic cell");
-      if (scene.fluid && scene.fluid->mesh.file.empty())
+      if (axis < 2 && scene.fluid && scene.fluid->mesh.file.empty())
         check_inside(body, axis, scene.fluid->mesh.lower[axis], scene.fluid->mesh.upper[axis], "the mesh");
     }
 }
@@ -28,7 +28,7 @@ void check_places(const scene::Scene& scene) {
 void check_overlaps(const scene::Scene& scene) {
   const double allowed = scene.dem.value_or(scene::Dem{}).start_overlap;
   Periods periods{};
-  for (const std::size_t axis : {0, 1}) {
+  for (const std::size_t axis : {0, 1, 2}) {
     const std::vector<double>& planes = scene.periodic.along(static_cast<int>(axis));
     if (!planes.empty()) periods[axis] = planes[1] - planes[0];
   }

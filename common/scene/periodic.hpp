@@ -1,4 +1,4 @@
-/// [periodic]: the box in which everything repeats itself; the fluid reads it, and so can the grains.
+/// [periodic]: the box in which everything repeats itself; the fluid and the grains read it.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 namespace fpi::scene {
 
 struct Periodic {
-  std::vector<double> x, y;  ///< the two planes across each axis [m]; empty: not periodic
+  std::vector<double> x, y, z;  ///< the two planes across each axis [m]; empty: not periodic
 
-  const std::vector<double>& along(int axis) const { return axis == 0 ? x : y; }
+  const std::vector<double>& along(int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 
   void declare(ParameterVisitor& v) {
     v.reals(
@@ -19,9 +19,12 @@ struct Periodic {
          "through the other; empty: not periodic"},
         x, {0, 2}, any_number());
     v.reals({"y", "m", "the same along y"}, y, {0, 2}, any_number());
+    v.reals({"z", "m", "the same along z, of spheres"}, z, {0, 2}, any_number());
     v.require(x.empty() || (x.size() == 2 && x[0] < x[1]), "x",
               "must be [lower, upper], ascending, or empty");
     v.require(y.empty() || (y.size() == 2 && y[0] < y[1]), "y",
+              "must be [lower, upper], ascending, or empty");
+    v.require(z.empty() || (z.size() == 2 && z[0] < z[1]), "z",
               "must be [lower, upper], ascending, or empty");
   }
 };

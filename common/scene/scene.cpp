@@ -21,9 +21,7 @@ void Scene::declare(ParameterVisitor& v) {
           "through; polygons keep their size"},
          hydraulic_radius_ratio, above_up_to(0, 1));
   v.table({"time", "", "the time steps", true}, time);
-  v.table(
-      {"periodic", "", "planes through which everything repeats itself; contacts do not reach through yet"},
-      periodic);
+  v.table({"periodic", "", "planes through which everything repeats itself, flow and contacts"}, periodic);
   v.table({"fluid", "", "the flow; without it the grains are dry and no fluid program is started"}, fluid);
   v.table({"dem", "", "how the grains' motion is integrated"}, dem);
   v.tables({"bodies", "", "discs and polygons (plane) or spheres (space), one table each"}, bodies);

@@ -90,8 +90,27 @@ Box expected_places(const Problem& problem, const Walls& walls) {
   return {box.min() - margin, box.max() + margin};
 }
 
+/// Twice as wide as the largest grains, or two grains would touch each other through both sides.
+PeriodicBox make_box(const Problem& problem) {
+  PeriodicBox box;
+  double largest = 0;
+  for (const scene::Body& body : problem.bodies) largest = std::max(largest, body.radius);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& planes = problem.periodic.along(axis);
+    if (planes.empty()) continue;
+    box.lower[axis] = planes[0];
+    box.length[axis] = planes[1] - planes[0];
+    require(box.length[axis] > 4.04 * largest,
+            "periodic.{} must be wider than two of the largest grains; got {:g} m for grains of {:g} m: make "
+            "the box wider, or put more grains in it",
+            "xyz"[axis], box.length[axis], 2 * largest);
+  }
+  return box;
+}
+
 /// Everything that would leave the plane z = 0 of a scene of discs.
 void check_plane(const Problem& problem) {
+  require(problem.periodic.z.empty(), "periodic.z goes with spheres; got discs: remove it");
   require(problem.gravity.z() == 0, "gravity of a plane scene must have z = 0; got {}", problem.gravity.z());
   for (const auto& wall : problem.walls) {
     require(to_eigen(wall.normal).z() == 0, "wall {} of a plane scene must have a normal in x, y", wall.name);
@@ -137,6 +156,7 @@ Model make_model(const Problem& problem) {
   model.implicit = problem.dem.scheme == "trapezoidal";
   model.loads_are_linear = problem.dem.loads == "linear";
   model.start_overlap = problem.dem.start_overlap;
+  model.periodic = make_box(problem);
   model.expected = expected_places(problem, model.walls);
   return model;
 }

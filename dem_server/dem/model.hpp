@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "dem/materials.hpp"
+#include "dem/periodic_box.hpp"
 #include "dem/walls.hpp"
 #include "scene/bodies.hpp"
 #include "scene/dem.hpp"
+#include "scene/periodic.hpp"
 #include "scene/walls.hpp"
 
 namespace fpi::dem {
@@ -20,7 +22,8 @@ struct Problem {
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
   double thickness = 1;         ///< of a plane scene [m]
   double hydraulic_radius_ratio = 1;
-  scene::Dem dem;
+  scene::Periodic periodic{};
+  scene::Dem dem{};
   std::vector<scene::Body> bodies;
   std::vector<scene::Material> materials;
   std::vector<scene::Wall> walls;
@@ -67,6 +70,7 @@ struct Model {
   double largest_sub_step = 0;  ///< [s]; infinite where the scene sets none
   Bodies bodies;
   Walls walls;
+  PeriodicBox periodic;
   Elasticity elasticity = Elasticity::hertz;
   LawTable laws{{}};
   Lubricant lubricant;

@@ -6,6 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "dem/cells.hpp"
+#include "dem/images.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -21,17 +22,26 @@ double mean_radius(const Bodies& bodies) {
   return sum / static_cast<double>(bodies.size());
 }
 
-double choose_skin(const Model& model) {
-  return lists_every_pair(model) ? std::numeric_limits<double>::infinity()
-                                 : skin_over_radius * mean_radius(model.bodies);
+double largest_radius(const Bodies& bodies) { return *std::ranges::max_element(bodies.radius); }
+
+/// In a periodic box no pair may be within its skin of each other in two ways.
+double choose_skin(const Model& model, double reach) {
+  if (lists_every_pair(model)) return std::numeric_limits<double>::infinity();
+  double skin = skin_over_radius * mean_radius(model.bodies);
+  for (const double length : model.periodic.length)
+    if (length > 0) skin = std::min(skin, 0.5 * length - 2 * largest_radius(model.bodies) - reach);
+  return skin;
 }
 
-std::vector<Record> places_of(const Bodies& bodies, const std::vector<Vec3>& position,
+/// Where the bodies are, in a periodic box if there is one.
+std::vector<Record> places_of(const Model& model, const std::vector<Vec3>& position,
                               const std::vector<std::uint32_t>& order) {
   std::vector<Record> places;
   places.reserve(order.size());
-  for (const std::uint32_t i : order)
-    places.emplace_back(position[i].x(), position[i].y(), position[i].z(), bodies.radius[i]);
+  for (const std::uint32_t i : order) {
+    const Vec3 x = model.periodic.inside(position[i]);
+    places.emplace_back(x.x(), x.y(), x.z(), model.bodies.radius[i]);
+  }
   return places;
 }
 
@@ -41,12 +51,19 @@ std::vector<std::uint32_t> scene_order(std::size_t n) {
   return order;
 }
 
-/// Sorts the bodies into slabs across the longest axis, no thinner than `reach` [m], and within a slab by
-/// cells of `width` [m].
-void sort_bodies(const Bodies& bodies, const std::vector<Vec3>& position, double reach, double width,
-                 Neighbours& found) {
+/// Of slabs in a ring none may be thin, as the last is, and every other one must be free of the rest: it
+/// takes an even number. `first` are their first particles.
+void close_ring(std::vector<std::uint32_t>& first) {
+  if (first.size() > 1) first.pop_back();
+  if (first.size() > 1 && first.size() % 2 == 1) first.pop_back();
+}
+
+/// Sorts the bodies into slabs across the longest axis, which it returns, no thinner than `reach` [m], and
+/// within a slab by cells of `width` [m].
+int sort_bodies(const Model& model, const std::vector<Vec3>& position, double reach, double width,
+                Neighbours& found) {
   const std::size_t n = position.size();
-  const std::vector<Record> places = places_of(bodies, position, scene_order(n));
+  const std::vector<Record> places = places_of(model, position, scene_order(n));
   const Cells cells(places, width);
   const Cells::Index& along = cells.along();
   const std::size_t slow = static_cast<std::size_t>(std::ranges::max_element(along) - along.begin());
@@ -63,8 +80,11 @@ void sort_bodies(const Bodies& bodies, const std::vector<Vec3>& position, double
   Sorted sorted(key, cells.size());
   for (std::size_t layer = 0; layer < along[slow]; layer += layers)
     found.slabs.push_back(sorted.start[layer * along[middle] * along[fast]]);
+  const int across = static_cast<int>(slow);
+  if (model.periodic.length[across] > 0) close_ring(found.slabs);
   found.slabs.push_back(static_cast<std::uint32_t>(n));
   found.order = std::move(sorted.entry);
+  return across;
 }
 
 /// Bodies by size: the largest ask for cells of `reach` [m], each level for half of the one before.
@@ -161,7 +181,7 @@ Neighbours search(const Model& model, const std::vector<Vec3>& position, double 
   const Bodies& bodies = model.bodies;
   const auto n = static_cast<std::uint32_t>(bodies.size());
   Neighbours found;
-  found.skin = choose_skin(model);
+  found.skin = choose_skin(model, reach);
   found.reach = reach;
   if (lists_every_pair(model)) {
     found.order = scene_order(n);
@@ -171,12 +191,15 @@ Neighbours search(const Model& model, const std::vector<Vec3>& position, double 
     return found;
   }
   const double widest = found.widest_gap();
-  const double farthest = 2 * *std::ranges::max_element(bodies.radius) + widest;
-  sort_bodies(bodies, position, farthest, 2 * mean_radius(bodies) + widest, found);
-  const std::vector<Record> places = places_of(bodies, position, found.order);
+  const double farthest = 2 * largest_radius(bodies) + widest;
+  const int across = sort_bodies(model, position, farthest, 2 * mean_radius(bodies) + widest, found);
+  std::vector<Record> places = places_of(model, position, found.order);
   for (const std::uint32_t i : found.order) found.origin.push_back(position[i]);
+  const Images images(model.periodic, farthest, across, places);
   const std::vector<Level> levels = make_levels(places, farthest, widest);
-  list_pairs(bodies, near_pairs(places, levels, widest, found.distances), found);
+  std::vector<Pair> pairs = near_pairs(places, levels, widest, found.distances);
+  images.resolve(n, pairs);
+  list_pairs(bodies, std::move(pairs), found);
   return found;
 }
 

@@ -23,9 +23,10 @@ struct Pair {
 struct Neighbours {
   std::vector<std::uint32_t> order;  ///< body of each particle
   std::vector<std::uint32_t> start;  ///< of each particle's pairs in `other`, and their end
-  std::vector<std::uint32_t> other;  ///< higher particle of each pair; padded by the lanes
+  std::vector<std::uint32_t> other;  ///< higher particle of each pair, or one that a particle of the last
+                                     ///< slab is near through a periodic plane; padded by the lanes
   std::vector<std::uint32_t> slabs;  ///< first particle of each slab, and the end: no pair reaches beyond the
-                                     ///< next slab
+                                     ///< next slab, which is the first after the last
   std::vector<Vec3> origin;          ///< [m] where each particle was
   double skin = 0;                   ///< [m]; infinite where every pair is listed
   double reach = 0;                  ///< [m] gap at which pairs begin to act on each other
@@ -49,7 +50,7 @@ struct Separation {
   double gap;
 };
 inline Separation separation(const Model& model, const std::vector<Vec3>& position, const Pair& pair) {
-  const Vec3 line = position[pair.b] - position[pair.a];
+  const Vec3 line = model.periodic.shortest(position[pair.b] - position[pair.a]);
   const double distance = line.norm();
   return {line / distance, distance - model.bodies.radius[pair.a] - model.bodies.radius[pair.b]};
 }

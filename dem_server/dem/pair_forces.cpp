@@ -16,23 +16,14 @@ void set_lane(PairLawOf<Lanes>& laws, int lane, const PairLaw& law) {
   laws.twisting_friction[lane] = law.twisting_friction;
 }
 
-/// Which parts of the law a scene has; what it has not costs nothing.
-template <class Axes, class ElasticLaw, bool turns, bool one_law, bool recorded>
-struct Parts {
-  using Space = Axes;
-  using Elastic = ElasticLaw;
-  static constexpr bool turning = turns;     ///< resists rolling or twisting
-  static constexpr bool single = one_law;    ///< all bodies of one material
-  static constexpr bool records = recorded;  ///< each contact's forces, for the account of energies
-};
-
-template <class Law>
+/// What a scene has not costs a branch that is never taken.
+template <class Space, class Elastic>
 class PairForces {
  public:
   PairForces(const Model& model, const Neighbours& neighbours, const SubStep& step, PairMemories& memories,
              Particles& particles)
       : model_(model), list_(neighbours), step_(step), memories_(memories), particles_(particles) {
-    for (int lane = 0; Law::single && lane < n_lanes; ++lane) set_lane(law_, lane, model.laws(0, 0));
+    for (int lane = 0; lane < n_lanes; ++lane) set_lane(law_, lane, model.laws(0, 0));
   }
 
   /// Adds the pairs of particles first … last − 1.
@@ -51,10 +42,8 @@ class PairForces {
   }
 
  private:
-  using Space = typename Law::Space;
   using Vector = typename Space::Vector;
   using Turn = typename Space::Turn;
-  using Elastic = typename Law::Elastic;
 
   /// Looks at the distances of the pairs p … p + n_lanes − 1 of particle i; those beyond its last are another
   /// particle's, and left as they are.
@@ -64,10 +53,12 @@ class PairForces {
     Lanes x = load(particles_.place[other[0]].data()), y = load(particles_.place[other[1]].data()),
           z = load(particles_.place[other[2]].data()), R = load(particles_.place[other[3]].data());
     transpose(x, y, z, R);
-    const Lanes dx = x - place[0], dy = y - place[1], dz = z - place[2], sum = R + (place[3] + step_.reach);
+    Triple line{x - place[0], y - place[1], z - place[2]};
+    if (repeats_) line = InSpace::shortest(line, model_.periodic);
+    const Lanes sum = R + (place[3] + step_.reach);
     const std::uint32_t left = list_.start[i + 1] - p;
     const unsigned mine = left < n_lanes ? (1u << left) - 1 : (1u << n_lanes) - 1;
-    const unsigned near = bits(dx * dx + dy * dy + dz * dz < sum * sum) & mine;
+    const unsigned near = bits(line.dot(line) < sum * sum) & mine;
     std::uint32_t touching;
     std::memcpy(&touching, &memories_.touching[p], sizeof touching);
     touching &= lane_bytes[near | (~mine & ((1u << n_lanes) - 1))];
@@ -95,13 +86,14 @@ class PairForces {
     const auto &a = batch.lower, &b = batch.higher;
     const Lanes opposite{-1, -1, -1, 1};  // adds the inverse masses
     const auto of = [](const Record& record) { return load(record.data()); };
-    const Vector line = Space::vector(Gathered([&](int k) { return of(place[b[k]]) - of(place[a[k]]); }));
+    Vector line = Space::vector(Gathered([&](int k) { return of(place[b[k]]) - of(place[a[k]]); }));
     const Gathered velocity([&](int k) { return of(now[a[k]].linear) + opposite * of(now[b[k]].linear); });
     const Gathered middle([&](int k) { return of(half[a[k]].linear) - of(half[b[k]].linear); });
     const Gathered spin_a([&](int k) { return of(now[a[k]].angular); });
     const Gathered spin_b([&](int k) { return of(now[b[k]].angular); });
     const Gathered middle_a([&](int k) { return of(half[a[k]].angular); });
     const Gathered middle_b([&](int k) { return of(half[b[k]].angular); });
+    if (repeats_) line = Space::shortest(line, model_.periodic);
     const Lanes distance = sqrt(line.dot(line));
     return {.normal = 1 / distance * line,
             .velocity = Space::vector(velocity),
@@ -117,7 +109,7 @@ class PairForces {
   }
 
   void find_laws(const Batch& batch) {
-    if constexpr (Law::single) return;
+    if (single_) return;
     const auto& material = particles_.material;
     for (int k = 0; k < n_lanes; ++k)
       set_lane(law_, k, model_.laws(material[batch.lower[k]], material[batch.higher[k]]));
@@ -153,12 +145,12 @@ class PairForces {
 
     const Vector force = Space::turned(friction, m.normal);
     Turn moment_a = arm_a * friction, moment_b = arm_b * friction, resistance{};
-    if constexpr (Law::turning) {
+    if (turning_) {
       resistance = keep(rubs, resist_turning(batch, m, state, tangential, N, remembers, twist));
       moment_a = moment_a + resistance;
       moment_b = moment_b - resistance;
     }
-    if constexpr (Law::records) {
+    if (model_.accounts_energy) {
       const Lanes elastic = elastic_force(state, mean);
       for (std::size_t k = 0; k < n; ++k)
         count.forces.push_back({.a = particles_.body[lower[k]],
@@ -241,6 +233,9 @@ class PairForces {
   }
 
   const Model& model_;
+  const bool repeats_ = model_.periodic.repeats();
+  const bool single_ = model_.laws.n_materials() == 1;  ///< all bodies of one material
+  const bool turning_ = model_.laws.resists_turning();
   const Neighbours& list_;
   const SubStep step_;
   PairMemories& memories_;
@@ -248,7 +243,7 @@ class PairForces {
   PairLawOf<Lanes> law_{};
 };
 
-template <class Law>
+template <class Space, class Elastic>
 ContactCount add_with(const Model& model, const Neighbours& neighbours, const SubStep& step,
                       PairMemories& memories, Particles& particles) {
   const auto& slabs = neighbours.slabs;
@@ -258,24 +253,13 @@ ContactCount add_with(const Model& model, const Neighbours& neighbours, const Su
     const std::size_t n = (n_slabs + 1 - parity) / 2;
     parallel_for(static_cast<int>(n), [&](int k) {
       const std::size_t s = 2 * static_cast<std::size_t>(k) + parity;
-      PairForces<Law>(model, neighbours, step, memories, particles).add(slabs[s], slabs[s + 1], counts[s]);
+      PairForces<Space, Elastic>(model, neighbours, step, memories, particles)
+          .add(slabs[s], slabs[s + 1], counts[s]);
     });
   }
   ContactCount sum;
   for (const ContactCount& count : counts) sum.add(count);
   return sum;
-}
-
-/// Forces are recorded by the code for several materials only.
-template <class Space, class Elastic, bool turning>
-auto choose(const Model& model) {
-  if (model.accounts_energy) return add_with<Parts<Space, Elastic, turning, false, true>>;
-  return model.laws.n_materials() == 1 ? add_with<Parts<Space, Elastic, turning, true, false>>
-                                       : add_with<Parts<Space, Elastic, turning, false, false>>;
-}
-template <class Space, class Elastic>
-auto choose(const Model& model, bool turning) {
-  return turning ? choose<Space, Elastic, true>(model) : choose<Space, Elastic, false>(model);
 }
 
 }  // namespace
@@ -284,9 +268,7 @@ ContactCount add_pair_forces(const Model& model, const Neighbours& neighbours, c
                              PairMemories& memories, Particles& particles) {
   return with_elastic_law(model.elasticity, [&](auto law) {
     using Elastic = decltype(law);
-    const bool turning = !memories.roll.empty();
-    const auto add =
-        model.plane ? choose<InPlane, Elastic>(model, turning) : choose<InSpace, Elastic>(model, turning);
+    const auto add = model.plane ? add_with<InPlane, Elastic> : add_with<InSpace, Elastic>;
     return add(model, neighbours, step, memories, particles);
   });
 }

@@ -1,6 +1,7 @@
 #include "dem/pair_memories.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace fpi::dem {
 namespace {
@@ -10,6 +11,15 @@ Record join(const Vec3& v, double w) { return {v.x(), v.y(), v.z(), w}; }
 /// A rolling spring holds what the lower particle did over the higher one; in the scene a < b may be the
 /// other way round.
 double direction(bool swapped) { return swapped ? -1 : 1; }
+
+/// The pair that a particle lists with another one.
+std::optional<std::size_t> pair_of(const Neighbours& neighbours, std::uint32_t i, std::uint32_t other) {
+  const auto first = neighbours.other.begin() + neighbours.start[i];
+  const auto last = neighbours.other.begin() + neighbours.start[i + 1];
+  const auto found = std::lower_bound(first, last, other);
+  if (found == last || *found != other) return std::nullopt;
+  return static_cast<std::size_t>(found - neighbours.other.begin());
+}
 
 }  // namespace
 
@@ -21,12 +31,11 @@ PairMemories::PairMemories(const ContactList<Pair>& contacts, const Neighbours& 
   for (std::uint32_t k = 0; k < particle.size(); ++k) particle[neighbours.order[k]] = k;
   for (std::size_t c = 0; c < contacts.places.size(); ++c) {
     const auto [a, b] = contacts.places[c];
-    const auto [lower, higher] = std::minmax(particle[a], particle[b]);
-    const auto first = neighbours.other.begin() + neighbours.start[lower];
-    const auto last = neighbours.other.begin() + neighbours.start[lower + 1];
-    const auto found = std::lower_bound(first, last, higher);
-    if (found == last || *found != higher) continue;
-    const auto p = static_cast<std::size_t>(found - neighbours.other.begin());
+    std::uint32_t lower = particle[a];
+    auto found = pair_of(neighbours, lower, particle[b]);
+    if (!found) found = pair_of(neighbours, lower = particle[b], particle[a]);
+    if (!found) continue;
+    const std::size_t p = *found;
     const Memory& memory = contacts.memories[c];
     touching[p] = 1;
     slip[p] = join(memory.slip, memory.twist);

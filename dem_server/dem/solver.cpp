@@ -203,7 +203,7 @@ void Solver::check_none_lost(double time) const {
     return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z());
   };
   for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
-    const Vec3& x = accepted_.motions.position[i];
+    const Vec3 x = model_.periodic.inside(accepted_.motions.position[i]);
     if (!model_.bodies.is_free(i) || expected.contains(x)) continue;
     fail(
         "free bodies must stay between {} and {} m; {} is lost: it is at {} m at t = {:.6g} s. Close the "

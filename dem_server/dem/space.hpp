@@ -31,6 +31,9 @@ struct InSpace {
   using Vector = Triple;
   using Turn = Triple;
 
+  static Vector shortest(const Vector& line, const PeriodicBox& box) {
+    return {box.shortest(line.x, 0), box.shortest(line.y, 1), box.shortest(line.z, 2)};
+  }
   static Vec3 lane(const Triple& v, std::size_t k) { return {v.x[k], v.y[k], v.z[k]}; }
   static Vector vector(const Gathered& g) { return {g.x, g.y, g.z}; }
   static Turn turn(const Gathered& g) { return {g.x, g.y, g.z}; }
@@ -60,6 +63,9 @@ struct InPlane {
   using Vector = Couple;
   using Turn = Lanes;
 
+  static Vector shortest(const Vector& line, const PeriodicBox& box) {
+    return {box.shortest(line.x, 0), box.shortest(line.y, 1)};
+  }
   static Vec3 lane(const Vector& v, std::size_t k) { return {v.x[k], v.y[k], 0}; }
   static Vec3 lane(Turn v, std::size_t k) { return {0, 0, v[k]}; }
   static Vector vector(const Gathered& g) { return {g.x, g.y}; }

@@ -69,7 +69,7 @@ void look_ahead_pairs(const Model& model, const Neighbours& neighbours, const Pa
     for (std::uint32_t p = neighbours.start[i]; p < neighbours.start[i + 1]; ++p) {
       const std::size_t j = neighbours.other[p];
       const Record &place_i = particles.place[i], &place_j = particles.place[j];
-      const Vec3 line = (place_j - place_i).head<3>();
+      const Vec3 line = model.periodic.shortest(Vec3((place_j - place_i).head<3>()));
       const Vec3 velocity = (particles.half[i].linear - particles.half[j].linear).head<3>();
       const Vec3 acceleration = (particles.acceleration(i) - particles.acceleration(j)).head<3>();
       const double distance = line.norm(), Ri = place_i[3], Rj = place_j[3];

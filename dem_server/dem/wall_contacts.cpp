@@ -61,7 +61,7 @@ void search_walls(const Model& model, const std::vector<Vec3>& position, double 
     const double within = model.bodies.radius[i] + widest_gap;
     for (std::size_t w = 0; w < walls.walls.size(); ++w) {
       const Wall& wall = walls.walls[w];
-      const Vec3 x = into_wall(wall, contacts.motions[w], position[i]);
+      const Vec3 x = into_wall(wall, contacts.motions[w], model.periodic.inside(position[i]));
       wall.grid.find({x - Vec3::Constant(within), x + Vec3::Constant(within)}, facets);
       for (const std::uint32_t f : facets) {
         const std::uint32_t facet = wall.first_facet + f;
@@ -89,7 +89,7 @@ Near near(const Model& model, const WallMotions& motions, std::uint32_t body, co
 
 Near near(const Model& model, const std::vector<Vec3>& position, const WallMotions& motions,
           const WallPlace& place) {
-  const Nearest at = nearest(model.walls, motions, place.facet, position[place.body]);
+  const Nearest at = nearest(model.walls, motions, place.facet, model.periodic.inside(position[place.body]));
   return near(model, motions, place.body, {place.facet, at});
 }
 
@@ -97,11 +97,12 @@ std::vector<NearFacet> own_places(const Model& model, const std::vector<Vec3>& p
                                   const WallContacts& contacts, std::size_t first, std::size_t last,
                                   double reach) {
   const std::uint32_t body = contacts.places[first].body;
+  const Vec3 x = model.periodic.inside(position[body]);
   const double R = model.bodies.radius[body];
   std::vector<NearFacet> own;
   for (std::size_t p = first; p < last; ++p) {
     const std::uint32_t facet = contacts.places[p].facet;
-    const Nearest at = nearest(model.walls, contacts.motions, facet, position[body]);
+    const Nearest at = nearest(model.walls, contacts.motions, facet, x);
     if (at.distance - R <= reach) own.push_back({facet, at});
   }
   keep_own_places(model.walls, contacts.motions, same * R, own);
@@ -113,7 +114,7 @@ void add_wall_contacts(const Model& model, const std::vector<Vec3>& position, co
   each_body_at_walls(contacts, [&](std::size_t first, std::size_t last) {
     const std::uint32_t body = contacts.places[first].body;
     const std::vector<NearFacet> own = own_places(model, position, contacts, first, last, sub_step.reach);
-    hand_over(model, position[body], own, first, last, contacts);
+    hand_over(model, model.periodic.inside(position[body]), own, first, last, contacts);
     for (std::size_t p = first; p < last; ++p) {
       const auto facet = std::ranges::find(own, contacts.places[p].facet, &NearFacet::facet);
       if (facet == own.end()) {
