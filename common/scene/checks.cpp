@@ -224,6 +224,8 @@ void check_motion(const Scene& scene, ParameterVisitor& v) {
   v.require(!scene.time.steady || scene.fluid, "time.steady", "must go with a [fluid]");
   v.require(scene.time.relative_tolerance == 0 || scene.fluid, "time.relative_tolerance",
             "must go with a [fluid], which estimates the error");
+  v.require(scene.time.max_displacement == 0 || scene.fluid, "time.max_displacement",
+            "must go with a [fluid], whose elements it counts in");
   const bool can_touch =
       scene.moves_freely() && (scene.walls.size() > 0 || scene.bodies.size() > 1 || !scene.grains.empty());
   v.require(!can_touch || !scene.materials.empty(), "materials",

@@ -102,6 +102,10 @@ INSTANTIATE_TEST_SUITE_P(
              "[time]\nstep = 1\nend = 1\nrelative_tolerance = 1e-3\n" + second_body,
              "drop.toml:4: time.relative_tolerance must go with a [fluid], which estimates the error; got "
              "0.001"},
+        Case{"way_in_elements_of_a_fluid",
+             "[time]\nstep = 1\nend = 1\nmax_displacement = 0.4\n" + second_body,
+             "drop.toml:4: time.max_displacement must go with a [fluid], whose elements it counts in; got "
+             "0.4"},
         Case{
             "hydraulic_radius", "hydraulic_radius_ratio = 1.5\n" + settling,
             "drop.toml:1: hydraulic_radius_ratio must be a finite number in (0, 1]; got 1.5: correct it "
