@@ -10,7 +10,7 @@ namespace fpi::scene {
 
 struct Coupling {
   std::string scheme = "auto";
-  std::string acceleration = "iqn-ils";
+  std::string acceleration = "iqn-imvj";
   double relaxation = 1;  ///< ω: constant, or the first of the others
   std::string response = "auto";
   double relative_tolerance = 1e-5;  ///< of velocity and force against their size in the step
