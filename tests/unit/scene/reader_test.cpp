@@ -16,7 +16,7 @@ TEST(Reader, reads_values_and_fills_in_defaults) {
   EXPECT_DOUBLE_EQ(s.fluid->viscosity(), 1e-2);
   EXPECT_EQ(s.fluid->boundaries.at("top").type, "no_slip");
   EXPECT_EQ(s.bodies.at(0).velocity, (std::vector<double>{0, 0}));
-  EXPECT_EQ(s.coupling.acceleration, "iqn-ils");
+  EXPECT_EQ(s.coupling.acceleration, "iqn-imvj");
   EXPECT_TRUE(s.dem) << "a free body brings [dem] with its defaults";
   EXPECT_TRUE(s.moves_freely());
   EXPECT_TRUE(s.coefficients.empty());

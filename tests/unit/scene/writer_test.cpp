@@ -45,7 +45,7 @@ TEST(Writer, gives_text_that_reads_back_to_the_same_text) {
 
 TEST(Writer, fills_in_every_default) {
   const std::string text = write_text(read_text(settling, "drop.toml"));
-  for (const char* line : {"thickness = 1.0", "acceleration = \"iqn-ils\"", "max_halvings = 6", "[dem]",
+  for (const char* line : {"thickness = 1.0", "acceleration = \"iqn-imvj\"", "max_halvings = 6", "[dem]",
                            "[fluid.embedding]", "newmark_gamma = 0.5", "motion = \"free\""}) {
     EXPECT_NE(text.find(line), std::string::npos) << line;
   }
