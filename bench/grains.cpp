@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
     problem.dem.largest_sub_step = dt;
     problem.bodies = read_packing(argv[1], discs);
     dem::Solver solver(problem);
-    problem.bodies = {};
+    problem = {};
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t cpu_start = std::clock();
     const dem::Advanced outcome = solver.advance(steps * dt, {});

@@ -45,6 +45,10 @@ PairMemories::PairMemories(const ContactList<Pair>& contacts, const Neighbours& 
 
 ContactList<Pair> PairMemories::collect(const Neighbours& neighbours) const {
   ContactList<Pair> contacts;
+  const auto n = static_cast<std::size_t>(
+      std::count(touching.begin(), touching.begin() + static_cast<std::ptrdiff_t>(neighbours.n_pairs()), 1));
+  contacts.places.reserve(n);
+  contacts.memories.reserve(n);
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     for (std::uint32_t p = neighbours.start[i]; p < neighbours.start[i + 1]; ++p) {
       if (!touching[p]) continue;
