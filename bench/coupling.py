@@ -2,7 +2,6 @@
 """What it takes to couple free bodies to the fluid: sub-iterations, solves, factors, time and error of each acceleration
 and response on the same scenes, and the cost of a coupled step over one with given motion. Nothing is asserted here."""
 
-import argparse
 import csv
 import json
 import shutil
@@ -13,6 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from bench import coupling_results
+from bench.arguments import bench_parser, read_arguments
 from bench.measure import fastest_rows, measure
 from bench.results import write_json
 from bench.tools import ROOT
@@ -119,15 +119,9 @@ def over_prescribed(case: Case, steps: int, folder: Path) -> dict:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("cases", nargs="*", metavar="CASE", help=f"of {', '.join(CASES)}; all where none is named")
-    parser.add_argument("--quick", action="store_true", help="some density ratios, half the steps")
-    parser.add_argument("--out", type=Path, default=ROOT / "runs" / "bench", metavar="DIR", help="for JSON and picture")
-    arguments = parser.parse_args()
+    parser = bench_parser(__doc__, CASES, "some density ratios, half the steps")
+    arguments = read_arguments(parser, CASES)
     names = arguments.cases or list(CASES)
-    if unknown := set(names) - set(CASES):
-        parser.error(f"a case of {', '.join(CASES)} is required; got {', '.join(unknown)}")
-    arguments.out.mkdir(parents=True, exist_ok=True)
 
     results: dict = {}
     with tempfile.TemporaryDirectory() as name:

@@ -2,16 +2,16 @@
 """Run time against error of fluid_server on the benchmark flows, beside FreeFem++ and dolfinx where they are installed.
 Whole programs on one core, taking turns so that noise hits all alike; nothing is asserted here."""
 
-import argparse
 import sys
 import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from bench.arguments import bench_parser, read_arguments
 from bench.cases import CASES
 from bench.measure import fastest_rows, measure
 from bench.results import draw, table, write_json
-from bench.tools import ROOT, Run
+from bench.tools import Run
 
 ROUNDS = 3
 LONG = 20  # seconds from which a run is not repeated
@@ -31,16 +31,10 @@ def compare(case, runs: list[Run]) -> list[dict]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("cases", nargs="*", metavar="CASE", help=f"of {', '.join(CASES)}; all where none is named")
-    parser.add_argument("--quick", action="store_true", help="the coarsest mesh of each program")
+    parser = bench_parser(__doc__, CASES, "the coarsest mesh of each program")
     parser.add_argument("--rungs", type=int, default=9, metavar="N", help="the N coarsest meshes of each program")
-    parser.add_argument("--out", type=Path, default=ROOT / "runs" / "bench", metavar="DIR", help="for JSON and picture")
-    arguments = parser.parse_args()
+    arguments = read_arguments(parser, CASES)
     names = arguments.cases or list(CASES)
-    if unknown := set(names) - set(CASES):
-        parser.error(f"a case of {', '.join(CASES)} is required; got {', '.join(unknown)}")
-    arguments.out.mkdir(parents=True, exist_ok=True)
 
     results = {}
     with tempfile.TemporaryDirectory() as folder:

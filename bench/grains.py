@@ -3,7 +3,6 @@
 they are installed. All read the same packings, one core each, taking turns so that noise hits all alike; nothing is
 asserted here."""
 
-import argparse
 import subprocess
 import sys
 import tempfile
@@ -13,6 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from bench import grain_results
+from bench.arguments import bench_parser, read_arguments
 from bench.grain_peers import Job, Program, programs
 from bench.impacts import accuracy
 from bench.measure import fastest_rows, measure
@@ -66,19 +66,13 @@ def compare(packing: Packing, runners: list[Program], folder: Path, rounds: int,
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("cases", nargs="*", metavar="CASE", help=f"of {', '.join(CASES)}; all where none is named")
-    parser.add_argument("--quick", action="store_true", help="one round of a tenth of the steps, up to 10 000 grains")
+    parser = bench_parser(__doc__, CASES, "one round of a tenth of the steps, up to 10 000 grains")
     parser.add_argument("--rounds", type=int, default=3, metavar="N", help="of which the fastest run counts")
     parser.add_argument("--driver", type=Path, help="a build of grains_bench (default: made here)")
-    parser.add_argument("--out", type=Path, default=ROOT / "runs" / "bench", metavar="DIR", help="for JSON and picture")
-    arguments = parser.parse_args()
+    arguments = read_arguments(parser, CASES)
     names = arguments.cases or [name for name, case in CASES.items() if not arguments.quick or case.count <= 10000]
-    if unknown := set(names) - set(CASES):
-        parser.error(f"a case of {', '.join(CASES)} is required; got {', '.join(unknown)}")
-    driver = arguments.driver or make_driver()
-    arguments.out.mkdir(parents=True, exist_ok=True)
 
+    driver = arguments.driver or make_driver()
     runners = programs(driver)
     results: dict = {"throughput": {}, "impacts": []}
     with tempfile.TemporaryDirectory() as name:
