@@ -49,6 +49,12 @@ hid_t create_missing_groups() {
   return list >= 0 && H5Pset_create_intermediate_group(list, 1) >= 0 ? list : H5I_INVALID_HID;
 }
 
+/// Without times, so that the same run writes the same bytes.
+hid_t dataset_without_times() {
+  const hid_t list = H5Pcreate(H5P_DATASET_CREATE);
+  return list >= 0 && H5Pset_obj_track_times(list, false) >= 0 ? list : H5I_INVALID_HID;
+}
+
 hid_t variable_text() {
   const hid_t type = H5Tcopy(H5T_C_S1);
   const bool set = type >= 0 && H5Tset_size(type, H5T_VARIABLE) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0;
@@ -111,8 +117,9 @@ void H5File::write_array(const std::string& name, std::int64_t type, const void*
   const std::vector<hsize_t> size = to_hsize(shape);
   const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
   const Handle links(create_missing_groups(), H5Pclose);
+  const Handle layout(dataset_without_times(), H5Pclose);
   const Handle set(
-      checked(H5Dcreate2(id_, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), "create", name),
+      checked(H5Dcreate2(id_, name.c_str(), type, space, links, layout, H5P_DEFAULT), "create", name),
       H5Dclose);
   if (count > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write", name);
 }
@@ -142,7 +149,7 @@ void H5File::append(const std::string& name, std::span<const double> row, const 
     chunk[0] =
         std::max<hsize_t>(1, chunk_bytes / sizeof(double) / std::max<std::size_t>(1, product(row_shape)));
     const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), most.data()), H5Sclose);
-    const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const Handle layout(dataset_without_times(), H5Pclose);
     checked(H5Pset_chunk(layout, static_cast<int>(chunk.size()), chunk.data()), "chunk", name);
     const Handle links(create_missing_groups(), H5Pclose);
     const Handle made(H5Dcreate2(id_, name.c_str(), H5T_NATIVE_DOUBLE, space, links, layout, H5P_DEFAULT),

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <thread>
 
 #include "../temporary_folder.hpp"
 #include "core/error.hpp"
@@ -74,6 +77,22 @@ TEST_F(H5FileTest, what_was_flushed_is_readable_though_the_file_was_never_closed
   const std::string crashed = folder / "crashed.h5";
   std::filesystem::copy_file(path, crashed);
   EXPECT_EQ(H5File::read(crashed).doubles("/values"), (std::vector<double>{1, 2, 3}));
+}
+
+TEST_F(H5FileTest, files_with_the_same_content_are_the_same_whenever_they_were_written) {
+  const auto written = [this] {
+    {
+      H5File file = H5File::create(path);
+      file.write("/a/values", std::vector<double>{1, 2}, {2});
+      file.append("/rows", std::vector<double>{3}, {1});
+      file.make_group("/group", "mark", 4);
+    }
+    std::ifstream file(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string first = written();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 counts seconds
+  EXPECT_EQ(written(), first);
 }
 
 TEST_F(H5FileTest, a_damaged_file_is_refused_with_its_name) {
