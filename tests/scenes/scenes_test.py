@@ -268,15 +268,13 @@ class Scenes(unittest.TestCase):
             self.assert_near(body["velocity"][2], 0.98 * 3.9 * math.cos(math.radians(angle)), 1e-3)
 
     def run_out(self, *overrides: str) -> float:
-        """Of a collapsed column over its width: as far as grains lie side by side from the back wall."""
+        """Of a collapsed column over its width: as far as 97 % of its grains lie. The farthest ones roll off by themselves,
+        and where the first gap of the front opens is chance: over seeds it varies by a tenth, this by a twentieth."""
         summary = self.run_scene("column_collapse", *overrides)
         self.assertLess(abs(summary["grains"][0]["velocity"][1]), 1e-3, "the heap falls no more; some grains still roll")
-        edge = 0.0
-        for body in sorted(self.last_bodies().values(), key=lambda body: body["position"][0]):
-            if body["position"][0] - body["radius"] > edge + 1e-4:
-                break
-            edge = max(edge, body["position"][0] + body["radius"])
-        return (edge - 0.06) / 0.06
+        ends = sorted(body["position"][0] + body["radius"] for name, body in self.last_bodies().items()
+                      if name.startswith("sand"))
+        return (ends[int(0.97 * len(ends))] - 0.06) / 0.06
 
     def test_column_collapse(self):
         low = self.run_out("grains.0.upper.1=0.04")
