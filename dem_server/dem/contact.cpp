@@ -82,13 +82,11 @@ Traction rub(const Model& model, const Contact& contact, const PairLaw& law, con
   return traction;
 }
 
-/// For the account of energies: what of the normal force N is elastic is what there would be without damping.
+/// For the account of energies, of the normal force N.
 template <class Elastic>
 ContactForce recorded(const Near& near, const Contact& contact, const Normal& state, const Mean& mean,
                       double sub_step, double N) {
-  PairLaw undamped = near.law;
-  undamped.damping_ratio = 0;
-  const double elastic = normal_force<Elastic>(undamped, state, mean, sub_step);
+  const double elastic = elastic_force<Elastic>(near.law, state, mean, sub_step);
   return {.a = near.a,
           .normal = near.at.normal,
           .elastic = elastic,

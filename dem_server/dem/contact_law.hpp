@@ -172,6 +172,13 @@ Real normal_force(const PairLawOf<Real>& law, const NormalOf<Real>& c, const Mea
   return max(elastic + 2 / sub_step * law.damping_ratio * sqrt(k * c.mass) * mean.amplitude_change, Real{});
 }
 
+/// What of the normal force [N] there would be without damping.
+template <class Elastic, class Real>
+Real elastic_force(PairLawOf<Real> law, const NormalOf<Real>& c, const MeanOf<Real>& mean, double sub_step) {
+  law.damping_ratio = Real{};
+  return normal_force<Elastic>(law, c, mean, sub_step);
+}
+
 /// Spring and dashpot along the surface or about the contact.
 template <class Real>
 struct SpringOf {

@@ -151,7 +151,7 @@ class PairForces {
       moment_b = moment_b - resistance;
     }
     if (model_.accounts_energy) {
-      const Lanes elastic = elastic_force(state, mean);
+      const Lanes elastic = elastic_force<Elastic>(law_, state, mean, step_.duration);
       for (std::size_t k = 0; k < n; ++k)
         count.forces.push_back({.a = particles_.body[lower[k]],
                                 .b = particles_.body[higher[k]],
@@ -177,13 +177,6 @@ class PairForces {
     const unsigned rubbing = bits(rubs);
     for (std::size_t k = 0; k < n; ++k) memories_.touching[pair[k]] = rubbing >> k & 1;
     note(batch, m, count);
-  }
-
-  /// The part of the normal force that does not come of damping.
-  Lanes elastic_force(const NormalOf<Lanes>& state, const MeanOf<Lanes>& mean) const {
-    PairLawOf<Lanes> undamped = law_;
-    undamped.damping_ratio = Lanes{};
-    return normal_force<Elastic>(undamped, state, mean, step_.duration);
   }
 
   static void add_to(Record& sum, Lanes more) { store(load(sum.data()) + more, sum.data()); }
