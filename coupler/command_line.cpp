@@ -22,6 +22,8 @@ CommandLine read_coupler_command_line(int argc, char** argv) {
   CLI::Option* out = app.add_option("--out", session.folder, "folder of the results");
   app.add_option("--set", session.overrides, "key=value instead of what the scene says")
       ->allow_extra_args(false);
+  app.add_option("--stages", session.stages, "folder of the runs of scenes that grains come from")
+      ->capture_default_str();
   app.add_option("--listen", session.listen,
                  "address for participants, tcp://HOST:PORT; * takes a free port");
   app.add_option("--keys", session.keys, "folder of CURVE keys; needed for an address that is not loopback");

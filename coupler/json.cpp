@@ -185,9 +185,13 @@ std::string to_json(const Plan& plan) {
   for (const auto& [role, command, external] : plan.participants) {
     participants.push_back({{"role", role}, {"command", command}, {"external", external}});
   }
+  Json stages = Json::array();
+  for (const Stage& stage : plan.stages)
+    stages.push_back({{"scene", stage.scene}, {"folder", stage.folder}, {"ready", stage.ready}});
   return Json{{"title", plan.title},
               {"scene_fingerprint", plan.scene_fingerprint},
-              {"participants", std::move(participants)}}
+              {"participants", std::move(participants)},
+              {"stages", std::move(stages)}}
       .dump();
 }
 
@@ -205,6 +209,8 @@ std::string to_json(const Standing& s) {
 std::string to_json(const Summary& s) {
   return Json{{"status", s.status},
               {"reason", s.reason},
+              {"version", s.origin.version},
+              {"scene_fingerprint", s.origin.scene_fingerprint},
               {"steps", s.statistics.steps()},
               {"sub_iterations",
                {{"mean", s.statistics.mean_sub_iterations()}, {"max", s.statistics.max_sub_iterations()}}},
@@ -231,9 +237,15 @@ std::string to_json(const Summary& s) {
          "\n";
 }
 
-bool says_completed(const std::string& summary) {
+std::optional<RunOrigin> origin_if_completed(const std::string& summary) {
   const Json json = Json::parse(summary, nullptr, /*allow_exceptions=*/false);
-  return json.is_object() && json.contains("status") && json["status"] == "completed";
+  const auto value = [&json](const char* key) {
+    return json.is_object() && json.contains(key) ? json[key] : Json();
+  };
+  const Json version = value("version"), fingerprint = value("scene_fingerprint");
+  if (value("status") != "completed" || !version.is_string() || !fingerprint.is_number_unsigned())
+    return std::nullopt;
+  return RunOrigin{version, fingerprint};
 }
 
 }  // namespace fpi

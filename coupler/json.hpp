@@ -16,6 +16,7 @@ namespace fpi {
 
 /// All of summary.json.
 struct Summary {
+  RunOrigin origin;
   std::string status = "failed";  ///< "completed" | "failed"
   std::string reason;             ///< why failed, or ""
   Statistics statistics;
@@ -42,7 +43,7 @@ std::string to_json(const Plan& plan);
 std::string to_json(const Standing& standing);
 std::string to_json(const Summary& summary);
 
-/// Whether this is the text of a summary with the status "completed".
-bool says_completed(const std::string& summary);
+/// Of the text of a summary with the status "completed"; nothing for any other text.
+std::optional<RunOrigin> origin_if_completed(const std::string& summary);
 
 }  // namespace fpi

@@ -25,8 +25,9 @@ void listen_to_signals() {
 }
 
 int check_scene(const SessionOptions& options) {
-  scene::Scene scene = scene::read_file(options.scene, options.overrides);
-  const Files files = read_files(scene, options.scene);
+  StagedScene staged = read_staged(options.scene, options.overrides, options.stages);
+  const Files files = read_files(staged, options.scene);
+  scene::Scene& scene = staged.scene;
   grains::expand(scene, [&files](const std::string& name) { return proto::content(files, name); });
   std::printf("%s: ok, \"%s\"\n", options.scene.c_str(), scene.title.c_str());
   for (const std::string& line : grains::describe(scene)) std::printf("  %s\n", line.c_str());
@@ -40,7 +41,9 @@ int carry_out(const CommandLine& line) {
     case Task::check:
       return check_scene(line.session);
     case Task::plan:
-      std::puts(to_json(make_plan(scene::read_file(line.session.scene, line.session.overrides))).c_str());
+      std::puts(
+          to_json(make_plan(read_staged(line.session.scene, line.session.overrides, line.session.stages)))
+              .c_str());
       return 0;
     case Task::reference:
       std::fputs(scene::reference().c_str(), stdout);

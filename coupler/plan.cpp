@@ -2,8 +2,12 @@
 
 namespace fpi {
 
-Plan make_plan(const scene::Scene& scene) {
-  Plan plan{.title = scene.title, .scene_fingerprint = scene::fingerprint(scene), .participants = {}};
+Plan make_plan(const StagedScene& staged) {
+  const scene::Scene& scene = staged.scene;
+  Plan plan{.title = scene.title,
+            .scene_fingerprint = scene::fingerprint(scene),
+            .participants = {},
+            .stages = staged.stages};
   const auto add = [&plan](const char* role, const scene::Launch& launch) {
     plan.participants.push_back({.role = role, .command = launch.command, .external = launch.external});
   };

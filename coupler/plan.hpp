@@ -1,4 +1,4 @@
-/// Which participants a scene needs, and how each is started: read by the launcher.
+/// Which participants a scene needs, how each is started, and which scenes come before: read by the launcher.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
+#include "stages.hpp"
 
 namespace fpi {
 
@@ -19,8 +20,9 @@ struct Plan {
   std::string title;
   std::uint64_t scene_fingerprint = 0;
   std::vector<PlannedParticipant> participants;
+  std::vector<Stage> stages;  ///< to be run before, unless they are ready
 };
 
-Plan make_plan(const scene::Scene& scene);
+Plan make_plan(const StagedScene& staged);
 
 }  // namespace fpi

@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -22,8 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array results{"fields.h5",   "fields.xdmf",  "bodies.h5",    "interface.h5",
-                             "history.csv", "summary.json", "checkpoint.h5"};
+constexpr std::array results{"fields.h5",   "fields.xdmf",  "bodies.h5",     "interface.h5",
+                             "history.csv", "summary.json", "checkpoint.h5", "final_bodies.csv"};
 
 proto::Bytes read_bytes(const fs::path& path, const std::string& scene_file) {
   std::ifstream file(path, std::ios::binary);
@@ -34,14 +35,20 @@ proto::Bytes read_bytes(const fs::path& path, const std::string& scene_file) {
   return bytes;
 }
 
+/// Where the file is that the scene calls by this name.
+fs::path place_of(const std::string& name, const std::string& scene_file, const std::vector<Stage>& stages) {
+  const auto stage = std::ranges::find(stages, name, &Stage::table);
+  return stage == stages.end() ? fs::path(scene_file).parent_path() / name : fs::path(table_of(*stage));
+}
+
 }  // namespace
 
-Files read_files(scene::Scene& scene, const std::string& scene_file) {
+Files read_files(StagedScene& staged, const std::string& scene_file) {
   Files files;
   std::map<std::string, fs::path> paths;
-  for (std::string* name : scene::file_names(scene)) {
-    const fs::path path = fs::path(scene_file).parent_path() / *name;
-    *name = path.filename();
+  for (std::string* name : scene::file_names(staged.scene)) {
+    const fs::path path = place_of(*name, scene_file, staged.stages);
+    *name = fs::path(*name).filename();
     const auto [known, is_new] = paths.emplace(*name, path);
     require(known->second == path,
             "files with different names are required; {} names both {} and {}: rename one", scene_file,
@@ -73,9 +80,9 @@ FolderLock::FolderLock(const std::string& folder)
 
 FolderLock::~FolderLock() { close(file_); }
 
-bool is_completed(const std::string& folder) {
+std::optional<RunOrigin> completed_run(const std::string& folder) {
   std::ifstream file(folder + "/summary.json");
-  return says_completed({std::istreambuf_iterator<char>(file), {}});
+  return origin_if_completed({std::istreambuf_iterator<char>(file), {}});
 }
 
 void fill_folder(const std::string& folder, const scene::Scene& scene, const Files& files) {

@@ -2,16 +2,19 @@
 /// folder alone is enough to resume, and no result of an older run.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "scene/scene.hpp"
 #include "simulation.hpp"
+#include "stages.hpp"
 
 namespace fpi {
 
-/// The files that the scene, read from `scene_file`, names, looked for beside it. From here on the scene
-/// names them without their folder. Throws Error where one cannot be read, or where two would have one name.
-Files read_files(scene::Scene& scene, const std::string& scene_file);
+/// The files that the scene, read from `scene_file`, names, looked for beside it, or where its stages end.
+/// From here on the scene names them without their folder. Throws Error where one cannot be read, or where
+/// two would have one name.
+Files read_files(StagedScene& staged, const std::string& scene_file);
 
 /// Makes the folder where it is missing. Throws Error where that is not possible.
 void make_folder(const std::string& folder);
@@ -29,8 +32,8 @@ class FolderLock {
   int file_;
 };
 
-/// Whether the summary in the folder says that its run reached the end.
-bool is_completed(const std::string& folder);
+/// Of what the run was that reached its end in the folder; nothing where none did.
+std::optional<RunOrigin> completed_run(const std::string& folder);
 
 /// Removes the results of an older run; writes scene.toml and the files it names.
 void fill_folder(const std::string& folder, const scene::Scene& scene, const Files& files);

@@ -12,6 +12,8 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "core/version.hpp"
+#include "end_state.hpp"
 #include "grains/expand.hpp"
 #include "json.hpp"
 #include "output/replace.hpp"
@@ -73,6 +75,7 @@ class Session {
       begin();
       admit();
       march();
+      write_final_bodies(scene_, run_->simulation().state().motions, options_.folder);
       summary_.status = "completed";
       summary_.reason.clear();
     } catch (const proto::Interrupted&) {
@@ -87,12 +90,14 @@ class Session {
  private:
   void prepare() {
     const std::string file = options_.resume ? options_.folder + "/scene.toml" : options_.scene;
-    scene_ = scene::read_file(file, options_.overrides);
-    plan_ = make_plan(scene_);
-    files_ = read_files(scene_, file);
+    StagedScene staged = read_staged(file, options_.overrides, options_.stages);
+    plan_ = make_plan(staged);
+    summary_.origin = {version, plan_.scene_fingerprint};
+    files_ = read_files(staged, file);
+    scene_ = std::move(staged.scene);
     grains::expand(scene_, [this](const std::string& name) { return proto::content(files_, name); });
     if (!options_.resume) return;
-    require(!is_completed(options_.folder), "nothing to resume: the run reached its end");
+    require(!completed_run(options_.folder), "nothing to resume: the run reached its end");
     checkpoint_ = read_checkpoint(options_.folder, plan_.scene_fingerprint);
   }
 

@@ -10,6 +10,7 @@ struct SessionOptions {
   std::string scene;                   ///< file; where a run is resumed, that of its folder
   std::vector<std::string> overrides;  ///< "key=value"
   std::string folder;                  ///< of the results
+  std::string stages = "runs/stages";  ///< folder of the runs of scenes that come before
   std::string listen = "tcp://127.0.0.1:*";
   std::string keys;          ///< folder; "": none, loopback only
   bool watch_stdin = false;  ///< the launcher tells there which participants ended

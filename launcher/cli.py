@@ -102,8 +102,25 @@ def do_run(arguments) -> int:
     ensure_programs(arguments.quiet or arguments.json)
     scene = scenes.find(arguments.scene)
     plan = run.plan(scene, arguments.overrides)
+    status = run_stages(plan, arguments)
+    if status != 0:
+        return status
     folder = run.new_folder(arguments.out, scene)
     return execute(run.Request(scene, folder, arguments.overrides), plan, arguments)
+
+
+def run_stages(plan: dict, arguments) -> int:
+    """Runs the scenes that the planned one goes on from, unless their runs are there already."""
+    for stage in plan["stages"]:
+        if stage["ready"]:
+            continue
+        scene, folder = Path(stage["scene"]), Path(stage["folder"])
+        folder.mkdir(parents=True, exist_ok=True)
+        status, summary = run_to_end(run.Request(scene, folder), run.plan(scene, []), arguments)
+        if status != 0:
+            report_end(folder, summary, arguments)
+            return status
+    return 0
 
 
 def do_resume(arguments) -> int:
@@ -115,6 +132,13 @@ def do_resume(arguments) -> int:
 
 
 def execute(request: run.Request, plan: dict, arguments) -> int:
+    status, summary = run_to_end(request, plan, arguments)
+    report_end(request.folder, summary, arguments)
+    return status
+
+
+def run_to_end(request: run.Request, plan: dict, arguments) -> tuple[int, dict]:
+    """Exit status and summary of a run that has one."""
     request.listen, request.keys, request.threads = arguments.listen, arguments.keys, arguments.jobs
     screen = display.choose(arguments.quiet or arguments.json)
     screen.say(f"{plan['title'] or request.scene.stem}: results go to {request.folder}")
@@ -129,11 +153,14 @@ def execute(request: run.Request, plan: dict, arguments) -> int:
         raise Refusal(f"{how} before it had results; see {request.folder}/*.log")
     if sudden_end:
         summary |= {"status": "failed", "reason": sudden_end}
+    return status if status != 0 else int(summary["status"] != "completed"), summary
+
+
+def report_end(folder: Path, summary: dict, arguments) -> None:
     if arguments.json:
-        print(json.dumps({"run": str(request.folder), **summary}, indent=2))
+        print(json.dumps({"run": str(folder), **summary}, indent=2))
     elif not arguments.quiet:
-        report.show(request.folder, summary)
-    return status if status != 0 else int(summary["status"] != "completed")
+        report.show(folder, summary)
 
 
 def do_check(arguments) -> int:

@@ -85,7 +85,7 @@ std::vector<Row> at_random(const scene::Grains& group, const Box& box, const sce
 
 std::vector<Row> rows_of(const scene::Grains& group, const scene::Scene& scene, const Content& content) {
   Table table;
-  if (group.is_csv()) {
+  if (group.is_table()) {
     table = read_table(content(group.file), group.file, group.axes());
   } else {
     const Box box = box_of(group, scene.periodic);
@@ -137,7 +137,7 @@ std::vector<std::string> describe(const scene::Scene& scene) {
     const auto [smallest, largest] = std::ranges::minmax_element(first, last, {}, &scene::Body::radius);
     std::string line = fmt::format("{}: {} {}s, radius {:g} to {:g} m", group.name, group.count, group.shape,
                                    smallest->radius, largest->radius);
-    if (!group.is_csv()) {
+    if (!group.is_table()) {
       double volume = 0;
       for (auto body = first; body != last; ++body) volume += body->volume(body->radius, 1);
       line += fmt::format(", {:.4g} of their box", volume / box_of(group, {}).volume());

@@ -1,6 +1,7 @@
 /// [periodic]: the box in which everything repeats itself; the fluid and the grains read it.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "core/parameters.hpp"
@@ -11,6 +12,18 @@ struct Periodic {
   std::vector<double> x, y, z;  ///< the two planes across each axis [m]; empty: not periodic
 
   const std::vector<double>& along(int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+
+  /// The place [m] in the box that a place anywhere, of three coordinates, stands for.
+  template <class Place>
+  Place inside(Place at) const {
+    for (const int axis : {0, 1, 2}) {
+      const std::vector<double>& planes = along(axis);
+      if (planes.empty()) continue;
+      const double length = planes[1] - planes[0];
+      at[axis] -= length * std::floor((at[axis] - planes[0]) / length);
+    }
+    return at;
+  }
 
   void declare(ParameterVisitor& v) {
     v.reals(

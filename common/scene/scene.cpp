@@ -58,11 +58,12 @@ bool Scene::moves() const {
 }
 
 Scene part_of(Part part, const Scene& scene) {
-  Scene p = scene;  // materials stay on both sides, so that the bodies' references to them hold
+  // Materials and the contact law stay on both sides, so that the bodies' references hold, and what they may
+  // overlap by at the start.
+  Scene p = scene;
   p.coupling = {};
   p.output = {};
   if (part == Part::fluid) {
-    p.dem.reset();
     p.walls.clear();
   } else {
     if (p.fluid) {

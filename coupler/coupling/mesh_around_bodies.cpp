@@ -17,14 +17,6 @@ double length(const scene::Periodic& periodic, int axis) {
   return planes.empty() ? 0 : planes[1] - planes[0];
 }
 
-/// The position inside the box in which everything repeats itself.
-Eigen::Vector3d wrapped(Eigen::Vector3d position, const scene::Periodic& periodic) {
-  for (int axis = 0; axis < 2; ++axis)
-    if (const double period = length(periodic, axis); period > 0)
-      position[axis] -= period * std::floor((position[axis] - periodic.along(axis)[0]) / period);
-  return position;
-}
-
 /// Shifts by periods under which [lower, upper] meets the mesh's rectangle; at least none at all.
 std::vector<Eigen::Vector2d> images(const scene::Scene& scene, const Eigen::Vector2d& lower,
                                     const Eigen::Vector2d& upper) {
@@ -72,14 +64,14 @@ std::vector<Place> path(const scene::Body& body, const scene::Scene& scene, doub
   const scene::Time& time = scene.time;
   const double extent = extent_that_turns(body);
   RigidMotion motion = initial_motion(body);
-  motion.position = wrapped(motion.position, scene.periodic);
+  motion.position = scene.periodic.inside(motion.position);
   std::vector<Place> places{{motion, extent}};
   if (time.steady || !body.changes_place()) return places;
   const PrescribedMotion prescribed(body);
   const double samples = std::min(most_samples, std::ceil(samples_per_step * time.end / time.step));
   for (double k = 0; k < samples; ++k) {
     motion = prescribed.advanced(motion, k * time.end / samples, (k + 1) * time.end / samples);
-    motion.position = wrapped(motion.position, scene.periodic);
+    motion.position = scene.periodic.inside(motion.position);
     const Place place(motion, extent);
     const auto is_near = [&](const Place& other) { return place.distance(other) <= spacing; };
     if (std::ranges::none_of(places, is_near)) places.push_back(place);

@@ -17,7 +17,8 @@ if "--plan" in words:
     scene = open(words[words.index("--plan") + 1]).read()
     if "broken" in scene:
         sys.exit("drop.toml:1: the key \\"broken\\" is not known")
-    print(json.dumps({"title": "a fake", "scene_fingerprint": 7, "participants": json.loads(scene)}))
+    stages = json.loads(os.environ.get("FAKE_STAGES", "[]")) if "drop.toml" in words else []
+    print(json.dumps({"title": "a fake", "scene_fingerprint": 7, "participants": json.loads(scene), "stages": stages}))
     sys.exit(0)
 if "--check" in words:
     print(words[words.index("--check") + 1] + ": ok")

@@ -4,6 +4,7 @@ import json
 import os
 import signal
 import unittest
+import unittest.mock
 
 from fakes import FakeTest, runs
 
@@ -77,6 +78,30 @@ class Running(FakeTest):
         status, out, _ = self.fpi("run", "drop.toml", "--json")
         self.assertEqual(status, 1)
         self.assertEqual(json.loads(out), {"status": "failed", "reason": 'drop.toml:1: the key "broken" is not known'})
+
+
+class Stages(FakeTest):
+    def run_with(self, ready: bool, **options) -> tuple[int, str]:
+        (self.folder / "packing.toml").write_text((self.folder / "drop.toml").read_text())
+        stage = {"scene": "packing.toml", "folder": "runs/stages/packing", "ready": ready}
+        with unittest.mock.patch.dict(os.environ, {"FAKE_STAGES": json.dumps([stage])}):
+            status, out, _ = self.fpi("run", "drop.toml", "--json", "--out", "r", **options)
+        return status, out
+
+    def test_a_scene_that_is_needed_first_is_run_into_its_own_folder(self):
+        status, out = self.run_with(ready=False)
+        self.assertEqual((status, json.loads(out)["run"]), (0, "r"))
+        self.assertTrue((self.folder / "runs/stages/packing/summary.json").exists())
+
+    def test_a_stage_that_is_ready_is_not_run_again(self):
+        self.assertEqual(self.run_with(ready=True)[0], 0)
+        self.assertFalse((self.folder / "runs/stages").exists())
+
+    def test_a_stage_that_fails_ends_it_all_with_its_reason(self):
+        status, out = self.run_with(ready=False, fluid="die")
+        self.assertEqual((status, json.loads(out)["run"]), (1, "runs/stages/packing"))
+        self.assertIn("exited fluid -9", json.loads(out)["reason"])
+        self.assertFalse((self.folder / "r").exists())
 
 
 class Folders(FakeTest):

@@ -45,6 +45,11 @@ class Scenes(unittest.TestCase):
             header, *rows = csv.reader(file)
         return {name: [float(row[i]) for row in rows] for i, name in enumerate(header)}
 
+    def test_percolation_packing(self):
+        grains = self.run_scene("percolation_packing")["grains"][0]
+        self.assertEqual(grains["count"], 200)
+        self.assertLess(grains["kinetic_energy"], 1e-9)
+
     def assert_near(self, value: float, expected: float, relative: float):
         self.assertLessEqual(abs(value - expected), relative * abs(expected), f"{value} against {expected}")
 

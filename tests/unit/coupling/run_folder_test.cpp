@@ -25,15 +25,16 @@ TEST(ReadFiles, files_are_found_beside_the_scene_and_kept_by_their_names_alone) 
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "meshes");
   std::ofstream(folder / "meshes/square.msh") << "a mesh";
-  scene::Scene scene;
+  StagedScene staged;
+  scene::Scene& scene = staged.scene;
   scene.fluid.emplace().mesh.file = "meshes/square.msh";
-  const Files files = read_files(scene, folder / "drop.toml");
+  const Files files = read_files(staged, folder / "drop.toml");
   EXPECT_EQ(scene.fluid->mesh.file, "square.msh");
   EXPECT_EQ(proto::content(files, "square.msh"), "a mesh");
   EXPECT_THROW(proto::content(files, "circle.msh"), Error);
-  EXPECT_THROW(read_files(scene, folder / "drop.toml"), Error) << "no longer beside the scene";
+  EXPECT_THROW(read_files(staged, folder / "drop.toml"), Error) << "no longer beside the scene";
   fill_folder(folder.path(), scene, files);
-  EXPECT_EQ(proto::content(read_files(scene, folder / "scene.toml"), "square.msh"), "a mesh");
+  EXPECT_EQ(proto::content(read_files(staged, folder / "scene.toml"), "square.msh"), "a mesh");
 }
 
 TEST(Json, a_summary_says_null_for_a_lost_participant_and_zero_for_one_not_needed) {
@@ -72,12 +73,14 @@ TEST(Json, a_summary_sorts_the_figures_of_the_fluid) {
   EXPECT_EQ(json["errors"], (nlohmann::json{{"velocity_l2", 1e-3}}));
 }
 
-TEST(Json, only_the_summary_of_a_completed_run_says_so) {
+TEST(Json, only_the_summary_of_a_completed_run_says_of_what_it_was) {
   Summary summary;
-  EXPECT_FALSE(says_completed(to_json(summary)));
+  summary.origin = {"1.2", 0xfedcba9876543210};
+  EXPECT_FALSE(origin_if_completed(to_json(summary)));
   summary.status = "completed";
-  EXPECT_TRUE(says_completed(to_json(summary)));
-  for (const char* text : {"", "{", "[]", "{\"status\": 1}"}) EXPECT_FALSE(says_completed(text)) << text;
+  EXPECT_EQ(origin_if_completed(to_json(summary)), summary.origin);
+  for (const char* text : {"", "{", "[]", "{\"status\": 1}", "{\"status\": \"completed\"}"})
+    EXPECT_FALSE(origin_if_completed(text)) << text;
 }
 
 }  // namespace

@@ -90,6 +90,14 @@ TEST(PartFor, the_fluid_leaves_out_the_grains) {
   EXPECT_TRUE(part.walls.empty());
 }
 
+TEST(PartFor, the_fluid_checks_materials_by_the_law_of_the_contacts) {
+  const std::string soft = with(settling, "youngs_modulus = 1e6", "normal_stiffness = 20");
+  const Scene scene = read_text(soft + "[dem]\ncontact = \"linear\"\nstart_overlap = 0.3\n", "drop.toml");
+  const Scene part = read_text(write_text(part_of(Part::fluid, scene)), "part");
+  EXPECT_EQ(part.dem.value().start_overlap, 0.3)
+      << "grains that overlap more are refused by every participant";
+}
+
 TEST(PartFor, the_dem_leaves_out_the_fluid) {
   Scene scene = read_text(everything, "drop.toml");
   scene.time.relative_tolerance = 1e-3;

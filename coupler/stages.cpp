@@ -1,0 +1,56 @@
+#include "stages.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "core/version.hpp"
+#include "end_state.hpp"
+#include "run_folder.hpp"
+
+namespace fpi {
+namespace fs = std::filesystem;
+
+namespace {
+
+Stage stage_of(const fs::path& scene_file, const fs::path& stages_folder) {
+  Stage stage{.scene = scene_file,
+              .folder = stages_folder / scene_file.stem(),
+              .table = scene_file.stem().string() + ".csv"};
+  const scene::Scene scene = scene::read_file(stage.scene);
+  require(
+      std::ranges::none_of(scene.grains, &scene::Grains::is_staged),
+      "a scene that others take their grains from must place its own; {} takes its from another: settle them "
+      "there",
+      stage.scene);
+  stage.ready = completed_run(stage.folder) == RunOrigin{version, scene::fingerprint(scene)};
+  return stage;
+}
+
+}  // namespace
+
+StagedScene read_staged(const std::string& scene_file, const std::vector<std::string>& overrides,
+                        const std::string& stages_folder) {
+  StagedScene staged{.scene = scene::read_file(scene_file, overrides), .stages = {}};
+  for (scene::Grains& group : staged.scene.grains) {
+    if (!group.is_staged()) continue;
+    const Stage stage = stage_of(fs::path(scene_file).parent_path() / group.file, stages_folder);
+    group.generator = "csv";
+    group.file = stage.table;
+    if (std::ranges::find(staged.stages, stage.scene, &Stage::scene) == staged.stages.end())
+      staged.stages.push_back(stage);
+  }
+  return staged;
+}
+
+std::string table_of(const Stage& stage) {
+  require(
+      stage.ready,
+      "the grains' places are those at the end of {0}, which must have been run as it is now and by this "
+      "version; {1} has no such run: `./fpi run` runs it before the scene that asks for it, or do `coupler "
+      "--scene {0} --out {1}` and start what it needs",
+      stage.scene, stage.folder);
+  return final_bodies_file(stage.folder);
+}
+
+}  // namespace fpi
