@@ -113,6 +113,15 @@ Json figures_after(const Summary& summary, const std::string& prefix) {
   return all;
 }
 
+/// What every term exerts on the fluid, and what is left of their sum.
+Json force_balance(const Summary& summary) {
+  Json all = Json::object();
+  const Json x = figures_after(summary, "balance_x:"), y = figures_after(summary, "balance_y:");
+  for (const auto& [name, force] : x.items()) all[name] = {force, y[name], 0};
+  if (!all.empty()) all["rest"] = figure(summary, "fluid", "balance:rest");
+  return all;
+}
+
 /// Plain figures of every participant, whatever it counts.
 Json counts(const Summary& summary) {
   Json all = Json::object();
@@ -227,6 +236,8 @@ std::string to_json(const Summary& s) {
               {"bodies", bodies(s)},
               {"grains", groups(s)},
               {"boundaries", boundaries(s)},
+              {"drives", s.drives},
+              {"force_balance", force_balance(s)},
               {"coefficients", s.coefficients},
               {"probes", s.probes},
               {"signals", signals(s)},

@@ -31,7 +31,7 @@ struct Summary {
   std::vector<GroupMotion> groups;
   std::vector<std::string> boundary_names;
   std::vector<BoundaryLoad> boundaries;
-  std::map<std::string, double> coefficients, probes;
+  std::map<std::string, double> coefficients, probes, drives;
   MeasuredSignals signals;
   std::vector<std::string> profile_names;
 };

@@ -26,6 +26,7 @@ std::vector<std::string> history_columns(const scene::Scene& scene) {
   for (const std::string& boundary : holding_boundaries(scene))
     for (const char* quantity : {"fx", "fy", "torque"}) columns.push_back(boundary + "." + quantity);
   for (const scene::Probe& probe : scene.probes) columns.push_back(probe.name);
+  for (const std::string& drive : found_drives(scene)) columns.push_back(drive);
   for (const scene::Coefficients& coefficients : scene.coefficients)
     for (const char* quantity : {"drag", "lift"}) columns.push_back(column_of(coefficients, quantity));
   for (std::size_t e = 0; has_energies(scene) && e < scene::Dem::energies.size(); ++e)
@@ -123,6 +124,7 @@ void Recorder::record_step(double time, const Attempt& attempt, const Simulation
   for (const BoundaryLoad& load : reported.boundaries)
     line.insert(line.end(), {load.fx, load.fy, load.torque});
   line.insert(line.end(), reported.probes.begin(), reported.probes.end());
+  line.insert(line.end(), reported.drives.begin(), reported.drives.end());
   for (const DragLift& c : reported.coefficients) line.insert(line.end(), {c.drag, c.lift});
   line.insert(line.end(), reported.energies.begin(), reported.energies.end());
   history_.append(line);

@@ -47,6 +47,17 @@ std::vector<std::string> holding_boundaries(const scene::Scene& scene) {
   return names;
 }
 
+std::vector<std::string> found_drives(const scene::Scene& scene) {
+  std::vector<std::string> names;
+  if (!scene.fluid) return names;
+  for (const int axis : {0, 1})
+    if (!scene.fluid->superficial_velocity.empty() && !scene.periodic.along(axis).empty())
+      names.emplace_back(axis == 0 ? "pressure_drop_x" : "pressure_drop_y");
+  for (const auto& [name, boundary] : scene.fluid->boundaries)
+    if (boundary.flow_rate) names.push_back("pressure_at_" + name);
+  return names;
+}
+
 std::string column_of(const scene::Coefficients& coefficients, const std::string& quantity) {
   return coefficients.name.empty() ? quantity : coefficients.name + "." + quantity;
 }
@@ -57,6 +68,8 @@ Reported reported(const scene::Scene& scene, const Simulation& simulation) {
     values.probes.push_back(figure_or_nan(simulation, probe.name));
   for (const std::string& name : holding_boundaries(scene))
     values.boundaries.push_back(boundary_load(simulation, name));
+  for (const std::string& name : found_drives(scene))
+    values.drives.push_back(figure_or_nan(simulation, name));
   for (const scene::Coefficients& asked : scene.coefficients)
     values.coefficients.push_back(drag_lift(asked, scene, simulation));
   for (std::size_t e = 0; has_energies(scene) && e < scene::Dem::energies.size(); ++e)

@@ -24,11 +24,16 @@ struct Reported {
   std::vector<double> probes;
   std::vector<BoundaryLoad> boundaries;  ///< in the order of `holding_boundaries`
   std::vector<DragLift> coefficients;
+  std::vector<double> drives;    ///< [Pa/m or Pa] in the order of `found_drives`
   std::vector<double> energies;  ///< [J] of the grains, where the scene keeps an account
 };
 
 /// The named boundaries on which the velocity is given, wholly or in part.
 std::vector<std::string> holding_boundaries(const scene::Scene& scene);
+
+/// Names of what the fluid finds for the flows that the scene gives: the fall of the mean pressure, the
+/// pressure at a boundary.
+std::vector<std::string> found_drives(const scene::Scene& scene);
 
 /// Whether the grains' energies are written.
 inline bool has_energies(const scene::Scene& scene) {

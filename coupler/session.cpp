@@ -213,6 +213,8 @@ class Session {
     const Reported& last = run_->last_reported();
     for (std::size_t i = 0; i < last.probes.size(); ++i)
       summary_.probes[scene_.probes[i].name] = last.probes[i];
+    const std::vector<std::string> drives = found_drives(scene_);
+    for (std::size_t i = 0; i < last.drives.size(); ++i) summary_.drives[drives[i]] = last.drives[i];
     for (std::size_t i = 0; i < last.coefficients.size(); ++i) {
       summary_.coefficients[column_of(scene_.coefficients[i], "drag")] = last.coefficients[i].drag;
       summary_.coefficients[column_of(scene_.coefficients[i], "lift")] = last.coefficients[i].lift;

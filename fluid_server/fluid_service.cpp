@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/log.hpp"
 #include "fluid/scene_mesh.hpp"
 #include "grains/expand.hpp"
 #include "measurements.hpp"
@@ -169,6 +170,11 @@ proto::State FluidService::checkpoint() {
 proto::Figures FluidService::report() {
   if (!solver_) return {};
   proto::Figures figures = final_figures(scene_, *solver_);
+  if (const auto balance = solver_->force_balance()) {
+    const proto::Figures terms = balance_figures(scene_.thickness, *balance);
+    figures.insert(figures.end(), terms.begin(), terms.end());
+    log::info("forces on the fluid add up to {:.2g} of the largest", balance->relative());
+  }
   for (const auto& [name, seconds] : solver_->monitor.ledger.seconds)
     figures.emplace_back("seconds:" + name, seconds);
   for (const auto& [name, count] : solver_->monitor.ledger.counts) figures.emplace_back(name, count);

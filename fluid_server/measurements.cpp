@@ -75,6 +75,17 @@ proto::Figures step_figures(const scene::Scene& scene, const NavierStokes& solve
     figures.emplace_back("force_y:" + name, scene.thickness * traction.force.y());
     figures.emplace_back("torque:" + name, scene.thickness * traction.torque);
   }
+  for (const auto& [name, size] : solver.found_drives()) figures.emplace_back(name, size);
+  return figures;
+}
+
+proto::Figures balance_figures(double thickness, const ForceBalance& balance) {
+  proto::Figures figures;
+  for (const auto& [name, force] : balance.terms) {
+    figures.emplace_back("balance_x:" + name, thickness * force.x());
+    figures.emplace_back("balance_y:" + name, thickness * force.y());
+  }
+  figures.emplace_back("balance:rest", balance.relative());
   return figures;
 }
 

@@ -12,13 +12,17 @@ namespace fpi::fluid {
 void require_in_mesh(const scene::Scene& scene, const NavierStokes& solver);
 
 /// With every accepted step: probes by name, and "force_x:NAME", "force_y:NAME" [N], "torque:NAME" [N m] of
-/// the boundaries that hold the fluid.
+/// the boundaries that hold the fluid; "pressure_drop_x", "pressure_drop_y" [Pa/m] and "pressure_at_NAME"
+/// [Pa] that a given flow takes.
 proto::Figures step_figures(const scene::Scene& scene, const NavierStokes& solver);
 
 /// At the end: "centre_x:NAME", "centre_y:NAME" [m] that torques of boundaries are about; of each profile
 /// "min:NAME", "min_x:NAME", "min_y:NAME" and the same for max; "error:velocity_l2", "error:velocity_h1",
 /// "error:pressure_l2" against the exact solution.
 proto::Figures final_figures(const scene::Scene& scene, const NavierStokes& solver);
+
+/// "balance_x:TERM", "balance_y:TERM" [N], and "balance:rest", what they add up to over the largest.
+proto::Figures balance_figures(double thickness, const ForceBalance& balance);
 
 /// Traction [Pa] on the boundaries that hold the fluid; none before the first accepted step.
 std::vector<proto::Curve> boundary_curves(const NavierStokes& solver);

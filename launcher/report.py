@@ -70,11 +70,13 @@ def rows(summary: dict) -> list[tuple[str, str]]:
                             f"{vector(one['velocity'])} m/s, kinetic energy {one['kinetic_energy']:.4g} J")
               for one in summary.get("grains", [])]
     lines += [(one["name"], load(one)) for one in summary.get("boundaries", [])[:MOST_LOADS] if None not in one["force"]]
-    for group in ("coefficients", "probes"):
-        lines += [(name, f"{value:.8g}") for name, value in summary[group].items() if value is not None]
+    for group in ("drives", "coefficients", "probes"):
+        lines += [(name, f"{value:.8g}") for name, value in summary.get(group, {}).items() if value is not None]
     lines += [(f"{name}(t)", signal(one)) for name, one in summary.get("signals", {}).items()]
     lines += [(name, f"{one['min']:.7g} at {vector(one['min_at'])} m to {one['max']:.7g} at {vector(one['max_at'])} m")
               for name, one in summary.get("profiles", {}).items() if one["min"] is not None]
+    if summary.get("force_balance"):
+        lines.append(("force balance", f"the forces on the fluid add up to {summary['force_balance']['rest']:.1e} of the largest"))
     if summary.get("errors"):
         lines.append(("errors", ", ".join(f"{name.replace('_', ' ')} {value:.3e}"
                                           for name, value in summary["errors"].items())))

@@ -54,6 +54,7 @@ class ParameterVisitor {
   virtual void text(const Parameter&, std::string& value) = 0;
   /// A formula (core/expression.hpp) may be written as a number; it arrives as its text.
   virtual void formula(const Parameter&, std::string& value) = 0;
+  virtual void formula(const Parameter&, std::optional<std::string>& value) = 0;
   /// A word out of `choices`.
   virtual void choice(const Parameter&, std::string& value, std::span<const std::string_view> choices) = 0;
 

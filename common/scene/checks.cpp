@@ -149,12 +149,22 @@ void check_periodic_rectangle(const Scene& scene, int axis, ParameterVisitor& v)
 }
 
 void check_periods(const Scene& scene, ParameterVisitor& v) {
+  v.require(
+      scene.fluid->superficial_velocity.empty() || !scene.periodic.x.empty() || !scene.periodic.y.empty(),
+      "fluid.superficial_velocity", "goes with [periodic] only: give a boundary a flow_rate");
   for (const int axis : {0, 1}) {
     const bool periodic = !scene.periodic.along(axis).empty();
     v.require(periodic || scene.fluid->pressure_drop[axis] == "0", "fluid.pressure_drop",
               fmt::format("must be 0 along {}, which is not periodic: give [periodic], or a traction at the "
                           "boundary",
                           axis == 0 ? "x" : "y"));
+    const auto& superficial = scene.fluid->superficial_velocity;
+    v.require(periodic || superficial.empty() || superficial[axis] == "0", "fluid.superficial_velocity",
+              fmt::format("must be 0 along {}, which is not periodic: give [periodic], or a flow_rate at the "
+                          "boundary",
+                          axis == 0 ? "x" : "y"));
+    v.require(superficial.empty() || scene.fluid->pressure_drop[axis] == "0", "fluid.pressure_drop",
+              "must be left out where superficial_velocity is given: it is found");
     if (periodic && scene.fluid->mesh.file.empty()) check_periodic_rectangle(scene, axis, v);
   }
 }

@@ -134,6 +134,7 @@ struct Boundary {
   std::string type;
   std::vector<std::string> velocity{"0", "0"};
   std::vector<std::string> traction{"0", "0"};
+  std::optional<std::string> flow_rate;  ///< into the fluid, a metre of thickness [m²/s]
 
   static constexpr std::array<std::string_view, 4> types{"no_slip", "velocity", "slip", "traction"};
 
@@ -146,9 +147,14 @@ struct Boundary {
              type, types);
     v.formulas({"velocity", "m/s", "formulas of x, y, t, for type = \"velocity\""}, velocity, {2, 2});
     v.formulas({"traction", "Pa", "σn as formulas of x, y, t, for type = \"traction\""}, traction, {2, 2});
+    v.formula({"flow_rate", "m²/s",
+               "flow into the fluid, a metre of thickness, as a formula of t, for type = \"traction\": the "
+               "pressure that it takes is found and comes on top of the traction; none: the traction is all"},
+              flow_rate);
     const std::vector<std::string> zero{"0", "0"};
     v.require(type == "velocity" || velocity == zero, "velocity", "goes with type = \"velocity\" only");
     v.require(type == "traction" || traction == zero, "traction", "goes with type = \"traction\" only");
+    v.require(type == "traction" || !flow_rate, "flow_rate", "goes with type = \"traction\" only");
   }
 };
 
@@ -210,6 +216,7 @@ struct Fluid {
   double newmark_gamma = 0.5;                           ///< γ of paper eq. (10)
   std::vector<std::string> body_force{"0", "0"};        ///< ρb [N/m³], besides gravity
   std::vector<std::string> pressure_drop{"0", "0"};     ///< −∇ of the mean pressure [Pa/m]
+  std::vector<std::string> superficial_velocity;        ///< [m/s] for which the pressure drop is found
   std::vector<std::string> initial_velocity{"0", "0"};  ///< [m/s]
   Mesh mesh;
   std::map<std::string, Boundary> boundaries;
@@ -247,6 +254,13 @@ struct Fluid {
          "by how much the mean pressure falls a metre along periodic axes, formulas of t: a force density "
          "on fluid and bodies alike; the pressure in results is without it"},
         pressure_drop, {2, 2});
+    v.formulas(
+        {"superficial_velocity", "m/s",
+         "mean of the velocity over the rectangle around the mesh, bodies included, as formulas of t: the "
+         "fall "
+         "of the mean pressure along periodic axes that it takes is found; empty: pressure_drop is given"},
+        superficial_velocity, {0, 2});
+    v.require(superficial_velocity.size() != 1, "superficial_velocity", "must be two formulas or empty");
     v.formulas({"initial_velocity", "m/s", "velocity at the start, formulas of x, y"}, initial_velocity,
                {2, 2});
     v.table({"mesh", "", "the fixed Eulerian mesh"}, mesh);

@@ -51,6 +51,11 @@ class Reader : public ParameterVisitor {
   void formula(const Parameter& p, std::string& value) override {
     if (const Node* node = get(p, "a formula")) take_formula(p, *node, p.key, value);
   }
+  void formula(const Parameter& p, std::optional<std::string>& value) override {
+    std::string text;
+    const Node* node = get(p, "a formula");
+    if (node != nullptr && take_formula(p, *node, p.key, text)) value = text;
+  }
   void choice(const Parameter& p, std::string& value, std::span<const std::string_view> choices) override {
     const std::string required = "one of " + describe(choices);
     const Node* node = get(p, required);

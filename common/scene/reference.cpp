@@ -26,6 +26,7 @@ class Reference : public ParameterVisitor {
   void boolean(const Parameter& p, bool& value) override { row(p, toml_text(value), "true, false"); }
   void text(const Parameter& p, std::string& value) override { row(p, toml_text(value), "text"); }
   void formula(const Parameter& p, std::string& value) override { row(p, toml_text(value), "formula"); }
+  void formula(const Parameter& p, std::optional<std::string>&) override { row(p, "", "formula"); }
   void choice(const Parameter& p, std::string& value, std::span<const std::string_view> choices) override {
     row(p, toml_text(value), describe(choices));
   }

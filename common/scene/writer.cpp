@@ -21,6 +21,9 @@ class Writer : public ParameterVisitor {
   void boolean(const Parameter& p, bool& value) override { line(p, value); }
   void text(const Parameter& p, std::string& value) override { line(p, value); }
   void formula(const Parameter& p, std::string& value) override { line(p, value); }
+  void formula(const Parameter& p, std::optional<std::string>& value) override {
+    if (value) line(p, *value);
+  }
   void choice(const Parameter& p, std::string& value, std::span<const std::string_view>) override {
     line(p, value);
   }

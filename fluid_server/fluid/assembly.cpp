@@ -54,8 +54,10 @@ void add_values(const Mesh& mesh, Index cell, std::array<T, element_unknowns>& e
 }  // namespace
 
 Residual System::assemble(const Flow& flow, const Fields& fields, const TimeTerms& time, bool with_jacobian) {
-  Residual residual{-load_, Vector::Zero(fields.p.size()), Vector::Zero(fields.lambda.size()),
-                    Vector::Zero(fields.rigid.size())};
+  Residual residual = no_residual();
+  drives_.add(-fields.drive, residual.u, residual.rigid);
+  residual.drive = drives_.excess(fields.u);
+  residual.u -= load_;
   if (time.load.size() > 0) residual.u -= flow.density * time.load;
   if (with_jacobian) matrix_.set_zero();
   const Vector acceleration = time.acceleration(fields.u);

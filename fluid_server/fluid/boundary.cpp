@@ -144,23 +144,48 @@ bool Boundary::traction_depends_on_time() const {
   });
 }
 
-void Boundary::add_tractions(double t, std::span<const Outline> bodies, Vector& load) const {
+/// Adds ∫ w·t over what bodies leave of a part; n points out of the mesh.
+void Boundary::add_traction(Index boundary, const Traction& traction, std::span<const Outline> bodies,
+                            Vector& load) const {
   for (const BoundaryEdge& b : mesh_.boundary) {
-    const Part& part = parts_[b.boundary];
-    if (part.type != Type::traction || (part.x.is_zero() && part.y.is_zero())) continue;
+    if (b.boundary != boundary) continue;
     const auto nodes = mesh_.edge_nodes(b);
     const EdgeNodes edge = mesh_.places(nodes);
     const Vec2 &from = mesh_.vertices[nodes[0]], &to = mesh_.vertices[nodes[1]];
     for (const auto& [start, end] : uncovered(from, to, bodies))
       for (const LinePoint& point : gauss_legendre(4)) {
         const double s = start + point.s * (end - start);
-        const Vec2 x = edge_point(edge, s);
-        const Vec2 traction(part.x(x.x(), x.y(), t), part.y(x.x(), x.y(), t));
-        const double weight = point.weight * (end - start) * edge_tangent(edge, s).norm();
+        const Vec2 along = edge_tangent(edge, s);
+        const Vec2 t = traction(edge_point(edge, s), Vec2(along.y(), -along.x()).normalized());
+        const double weight = point.weight * (end - start) * along.norm();
         const auto n = edge_shape(s);
-        for (int i = 0; i < 3; ++i) load.segment<2>(2 * mesh_.owner[nodes[i]]) += weight * n[i] * traction;
+        for (int i = 0; i < 3; ++i) load.segment<2>(2 * mesh_.owner[nodes[i]]) += weight * n[i] * t;
       }
   }
+}
+
+Boundary::Traction Boundary::given_traction(Index boundary, double t) const {
+  const Part& part = parts_[boundary];
+  return [&part, t](const Vec2& x, const Vec2&) {
+    return Vec2(part.x(x.x(), x.y(), t), part.y(x.x(), x.y(), t));
+  };
+}
+
+void Boundary::add_tractions(double t, std::span<const Outline> bodies, Vector& load) const {
+  for (Index b = 0; b < static_cast<Index>(parts_.size()); ++b)
+    if (is_open(b) && !(parts_[b].x.is_zero() && parts_[b].y.is_zero()))
+      add_traction(b, given_traction(b, t), bodies, load);
+}
+
+Vec2 Boundary::traction_force(Index boundary, double t, std::span<const Outline> bodies) const {
+  Vector load = Vector::Zero(2 * mesh_.n_nodes());
+  add_traction(boundary, given_traction(boundary, t), bodies, load);
+  return load.reshaped(2, mesh_.n_nodes()).rowwise().sum();
+}
+
+void Boundary::add_pressure(Index boundary, std::span<const Outline> bodies, Vector& load) const {
+  add_traction(
+      boundary, [](const Vec2&, const Vec2& normal) { return Vec2(-normal); }, bodies, load);
 }
 
 }  // namespace fpi::fluid

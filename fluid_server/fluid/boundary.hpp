@@ -2,6 +2,7 @@
 /// (paper, eq. 7). Where parts meet in a node, no_slip goes before velocity, velocity before slip.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,6 +29,10 @@ class Boundary {
   void impose(double t, Vector& u) const;
   /// Adds ∫ w·t̄ over what bodies leave of the traction parts at time t [s] to `load` [N/m].
   void add_tractions(double t, std::span<const Outline> bodies, Vector& load) const;
+  /// Force of the traction at time t [s] on the fluid at a part [N/m].
+  Vec2 traction_force(Index boundary, double t, std::span<const Outline> bodies) const;
+  /// Adds −∫ w·n over what bodies leave of a part: the load of a unit pressure.
+  void add_pressure(Index boundary, std::span<const Outline> bodies, Vector& load) const;
   bool traction_depends_on_time() const;
 
   /// 1 for the parts of the fluid that have an open boundary.
@@ -53,6 +58,10 @@ class Boundary {
     Expression x, y;  ///< velocity or traction
     std::vector<Index> nodes;
   };
+  using Traction = std::function<Vec2(const Vec2& x, const Vec2& normal)>;
+  void add_traction(Index boundary, const Traction& traction, std::span<const Outline> bodies,
+                    Vector& load) const;
+  Traction given_traction(Index boundary, double t) const;
   void assign_nodes();
   void find_slip_normals();
 

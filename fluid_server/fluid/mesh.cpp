@@ -113,6 +113,15 @@ void name_boundary(Mesh& mesh, const EdgeNumbers& number, const std::vector<Name
 
 }  // namespace
 
+double Mesh::box_area() const {
+  Vec2 lower = vertices.front(), upper = lower;
+  for (const Vec2& x : vertices) {
+    lower = lower.cwiseMin(x);
+    upper = upper.cwiseMax(x);
+  }
+  return (upper - lower).prod();
+}
+
 Mesh make_mesh(std::vector<Vec2> vertices, std::vector<std::array<Index, 3>> cells,
                const std::vector<NamedEdge>& named_edges, std::vector<std::string> boundary_names,
                const std::vector<EdgeMiddle>& middles) {

@@ -99,6 +99,8 @@ struct Mesh {
     const auto c = corners(cell);
     return 0.5 * cross(c[1] - c[0], c[2] - c[0]);
   }
+  /// Of the rectangle around the mesh [m²].
+  double box_area() const;
   /// Local element size h = √(2·area) [m].
   double size(Index cell) const { return std::sqrt(2 * area(cell)); }
 };

@@ -135,7 +135,8 @@ Fields NavierStokes::with_multipliers(const Vector& u, const Vector& p) const {
   for (std::size_t i = 0; i < interfaces.size(); ++i)
     rigid.segment<3>(3 * static_cast<Eigen::Index>(i)) << interfaces[i].rigid.translation,
         interfaces[i].rigid.spin;
-  return {u, p, Vector::Zero(2 * system_->cut().n_multipliers()), rigid};
+  return {u, p, Vector::Zero(2 * system_->cut().n_multipliers()), rigid,
+          Vector::Zero(system_->drives().size())};
 }
 
 NewtonResult NavierStokes::solve_step(const Request& request) {
@@ -175,7 +176,7 @@ std::vector<Interface> NavierStokes::with_buoyancy(const Request& request) const
 std::vector<BodyTraction> NavierStokes::tractions() const {
   const auto resultants = system_->resultants(current_.fields.lambda);
   const auto& interfaces = system_->interfaces();
-  const Vec2 force_density = mean_force(last_->time);
+  const Vec2 force_density = mean_force(last_->time) + system_->drives().pressure_drop(current_.fields.drive);
   std::vector<BodyTraction> out(interfaces.size());
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const Interface& interface = interfaces[i];
@@ -224,6 +225,7 @@ void NavierStokes::accept() {
   accepted_.damped_steps = start_.damped_steps > 0 ? start_.damped_steps - 1 : start_.damped_steps;
   accepted_.u = fields.u;
   accepted_.p = fields.p;
+  accepted_drive_ = fields.drive;
   accepted_interfaces_ = system_->interfaces();
   accepted_.places.clear();
   for (const Interface& interface : accepted_interfaces_) accepted_.places.push_back(place_of(interface));
@@ -270,7 +272,7 @@ double NavierStokes::arc_length(const Outline& outline) const {
 
 double NavierStokes::condition() {
   require(system_ != nullptr, "a step is required before the condition of its matrix is known");
-  return condition_estimate(system_->matrix(), *system_->factor(monitor.ledger));
+  return condition_estimate(system_->matrix(), *system_->factor_of_matrix(monitor.ledger));
 }
 
 std::vector<bool> NavierStokes::active_cells() const {
@@ -325,6 +327,21 @@ void NavierStokes::check_held(bool steady) const {
           nothing);
   if (!body_force_.is_zero())
     log::warning("{}: the mean of the force on it makes it faster for ever", nothing);
+}
+
+std::optional<ForceBalance> NavierStokes::force_balance() {
+  if (!accepted_system_ || last_) return std::nullopt;
+  const Vec2 mean = mean_force(accepted_.time) + system_->drives().pressure_drop(current_.fields.drive);
+  return fluid::force_balance(*system_, flow_, current_.fields, time_terms_, accepted_.time, mean,
+                              boundary_curves(), boundary_tractions_);
+}
+
+std::map<std::string, double> NavierStokes::found_drives() const {
+  std::map<std::string, double> out;
+  if (!accepted_system_) return out;
+  for (Index k = 0; k < accepted_system_->drives().size(); ++k)
+    out[accepted_system_->drives().all()[k].name] = accepted_drive_[k];
+  return out;
 }
 
 /// The residual of the nodes that a boundary holds is what it does to the fluid, to the order of the scheme.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "fluid/boundary_traction.hpp"
 #include "fluid/exact.hpp"
+#include "fluid/force_balance.hpp"
 #include "fluid/history.hpp"
 #include "fluid/kept_factor.hpp"
 #include "fluid/motion.hpp"
@@ -72,7 +74,7 @@ class NavierStokes {
   Vector velocity_with_bodies() const;
   /// Of the Jacobian as it was last assembled, see `condition_estimate`; factors it anew.
   double condition();
-  Index n_unknowns() const { return system_ ? system_->numbering().n_equations : 0; }
+  Index n_unknowns() const { return system_ ? system_->n_unknowns() : 0; }
   const Locator& locator() const { return space_.locator; }
   bool has(const Vec2& x) const { return space_.locator.find(x).has_value(); }
   /// Velocity [m/s] and pressure [Pa] of the accepted state; nothing inside a body or outside the mesh.
@@ -84,6 +86,10 @@ class NavierStokes {
   /// The named boundaries that hold the fluid, and what it did to them as of the last accept.
   const std::vector<BoundaryCurve>& boundary_curves() const { return boundary_recovery_.curves(); }
   const std::vector<BoundaryTraction>& boundary_tractions() const { return boundary_tractions_; }
+  /// Of the accepted flow; none before a step, or while another is tried.
+  std::optional<ForceBalance> force_balance();
+  /// What the accepted flow took to be as it is given: "pressure_drop_x" [Pa/m], "pressure_at_BOUNDARY" [Pa].
+  std::map<std::string, double> found_drives() const;
   /// How large the mesh is and what this scene does not need, as sentences.
   std::vector<std::string> notes() const;
 
@@ -110,6 +116,7 @@ class NavierStokes {
   BodyForce body_force_;
   Space space_;
   State accepted_;
+  Vector accepted_drive_;
   BoundaryTractions boundary_recovery_;
   std::vector<BoundaryTraction> boundary_tractions_;
 

@@ -19,15 +19,11 @@ Vec2 integral(const Mesh& mesh, Index cell, std::span<const ElementPoint> points
 }  // namespace
 
 Vec2 superficial_velocity(const Mesh& mesh, const CutMesh& cut, const Vector& u) {
-  Vec2 sum = Vec2::Zero(), lower = mesh.vertices.front(), upper = lower;
+  Vec2 sum = Vec2::Zero();
   for (Index c = 0; c < mesh.n_cells(); ++c)
     if (cut.state[c] == CellState::fluid) sum += integral(mesh, c, curved_points(), false, u);
   for (const auto& cut_cell : cut.cut_cells) sum += integral(mesh, cut_cell->cell, cut_cell->points, true, u);
-  for (const Vec2& x : mesh.vertices) {
-    lower = lower.cwiseMin(x);
-    upper = upper.cwiseMax(x);
-  }
-  return sum / (upper - lower).prod();
+  return sum / mesh.box_area();
 }
 
 }  // namespace fpi::fluid

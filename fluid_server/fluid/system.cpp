@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "fluid/bordered_factor.hpp"
 #include "fluid/quadrature.hpp"
 
 namespace fpi::fluid {
@@ -77,6 +78,7 @@ System::System(const Space& space, const scene::Fluid& parameters, std::vector<I
   load_ = Vector::Zero(2 * space.mesh.n_nodes());
   declare_blocks();
   set_velocities(interfaces_);
+  drives_ = make_drives(parameters);
 }
 
 void System::order_cells() {
@@ -198,23 +200,10 @@ Quadrature System::quadrature(std::size_t k) const {
   return {cut.points, {&cut.metric, 1}};
 }
 
-void System::set_load(double t, const BodyForce& body_force) {
-  const bool changes = space_.boundary.traction_depends_on_time() || body_force.depends_on_time();
-  if (std::exchange(has_load_, true) && !changes) return;
-  load_.setZero();
-  space_.boundary.add_tractions(t, outlines(cut_.images), load_);
-  if (body_force.is_zero()) return;
-  for (std::size_t k = 0; k < active_cells_.size(); ++k) {
-    const Index c = active_cells_[k];
-    const Quadrature rule = quadrature(k);
-    const auto nodes = space_.mesh.cell_nodes(c);
-    const auto positions = space_.mesh.cell_places(c);
-    for (std::size_t q = 0; q < rule.points.size(); ++q) {
-      const Padded& n = rule.points[q].shape.n;
-      const Vec2 f = rule.weight(q) * body_force(position_at(positions, n), t);
-      for (int i = 0; i < 6; ++i) load_.segment<2>(2 * nodes[i]) += n[i] * f;
-    }
-  }
+Residual System::no_residual() const {
+  return {Vector::Zero(load_.size()), Vector::Zero(space_.mesh.n_vertices()),
+          Vector::Zero(2 * cut_.n_multipliers()),
+          Vector::Zero(3 * static_cast<Eigen::Index>(interfaces_.size())), Vector::Zero(drives_.size())};
 }
 
 void System::check_closed_parts(const Residual& residual, const Vector& u) const {
@@ -244,7 +233,8 @@ void System::check_closed_parts(const Residual& residual, const Vector& u) const
 }
 
 Vector System::gather(const Residual& residual) const {
-  Vector out(numbering_.n_equations);
+  Vector out(n_unknowns());
+  out.tail(drives_.size()) = residual.drive;
   for (Index node = 0; node < space_.mesh.n_nodes(); ++node) {
     const Index x = numbering_.velocity[2 * node], y = numbering_.velocity[2 * node + 1];
     if (x >= 0) {
@@ -281,9 +271,10 @@ void System::add(const Vector& update, double step, Fields& fields) const {
     if (numbering_.multiplier[m] >= 0) fields.lambda[m] += step * update[numbering_.multiplier[m]];
   for (Eigen::Index i = 0; i < fields.rigid.size(); ++i)
     if (numbering_.rigid[i] >= 0) fields.rigid[i] += step * update[numbering_.rigid[i]];
+  fields.drive += step * update.tail(drives_.size());
 }
 
-std::shared_ptr<const Factor> System::factor(Ledger& ledger) {
+std::shared_ptr<const Factor> System::factor_of_matrix(Ledger& ledger) {
   if (!analysis_) {
     analysis_ = analyse(matrix_, linear_solver_);
     ledger.counts["analyses"] += 1;
@@ -291,8 +282,22 @@ std::shared_ptr<const Factor> System::factor(Ledger& ledger) {
   return analysis_->factor(matrix_);
 }
 
+std::shared_ptr<const Factor> System::factor(Ledger& ledger) {
+  auto inner = factor_of_matrix(ledger);
+  if (drives_.size() == 0) return inner;
+  Columns columns(numbering_.n_equations, drives_.size()), rows = columns;
+  for (Index k = 0; k < drives_.size(); ++k) {
+    Residual unit = no_residual();
+    unit.u = drives_.all()[k].load;
+    rows.col(k) = gather(unit).head(numbering_.n_equations);
+    unit.rigid = drives_.all()[k].load_on_bodies;
+    columns.col(k) = -gather(unit).head(numbering_.n_equations);
+  }
+  return with_border(std::move(inner), columns, rows);
+}
+
 Vector System::velocity_weight() const {
-  Vector weight = Vector::Zero(numbering_.n_equations);
+  Vector weight = Vector::Zero(n_unknowns());
   for (Index equation : numbering_.velocity)
     if (equation >= 0) weight[equation] = 1;
   return weight;

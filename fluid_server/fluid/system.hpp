@@ -9,6 +9,7 @@
 #include "fluid/block_matrix.hpp"
 #include "fluid/body_force.hpp"
 #include "fluid/cut_mesh.hpp"
+#include "fluid/drives.hpp"
 #include "fluid/free_bodies.hpp"
 #include "fluid/kernel.hpp"
 #include "fluid/linear_solver.hpp"
@@ -24,6 +25,7 @@ struct Fields {
   Vector p;       ///< of each vertex [Pa], without the hydrostatic part
   Vector lambda;  ///< x, y of each multiplier [Pa]
   Vector rigid;   ///< Vx, Vy, ω of each interface [m/s, rad/s]; read of bodies that the fluid moves
+  Vector drive;   ///< size of each drive [Pa/m or Pa]
 };
 
 /// The acceleration as a function of the velocity: a = inertia · u − history (paper, eq. 10). Where nodes
@@ -47,9 +49,9 @@ struct TimeTerms {
 };
 
 /// Residual before constraints: what each node, vertex, multiplier and body would have to balance [N/m, m²/s,
-/// m²/s, N/m and N].
+/// m²/s, N/m and N], and by how much the flow of each drive is too large [m²/s or m³/s].
 struct Residual {
-  Vector u, p, lambda, rigid;
+  Vector u, p, lambda, rigid, drive;
 };
 
 /// Unknowns of the blocks: (ux, uy of 6 nodes, p of 3 vertices); (ux, uy of 9 nodes); (λ of both ends of an
@@ -68,6 +70,9 @@ class System {
   const CutMesh& cut() const { return cut_; }
   const Components& components() const { return components_; }
   const Numbering& numbering() const { return numbering_; }
+  const Drives& drives() const { return drives_; }
+  /// Of unknowns, those of the drives last.
+  Index n_unknowns() const { return numbering_.n_equations + drives_.size(); }
   const std::vector<Interface>& interfaces() const { return interfaces_; }
   /// Length of arc that suits the mesh around each interface [m].
   const std::vector<double>& arc_lengths() const { return arc_lengths_; }
@@ -79,6 +84,11 @@ class System {
   void keep_motions(const Vector& rigid);
   /// Sets what drives the flow at time t [s]: body force ρb [N/m³] and boundary tractions.
   void set_load(double t, const BodyForce& body_force);
+
+  /// That load [N/m], without the drives.
+  const Vector& load() const { return load_; }
+  /// Adds ∫ w·f over the fluid, f the force density at a place [N/m³], to `load` [N/m].
+  void add_force_density(const std::function<Vec2(const Vec2&)>& f, Vector& load) const;
 
   /// Residual of eq. (20); fills the matrix with its Jacobian too where `with_jacobian`.
   Residual assemble(const Flow& flow, const Fields& fields, const TimeTerms& time, bool with_jacobian);
@@ -99,9 +109,12 @@ class System {
   /// Size h of the smallest element [m].
   double smallest_size() const { return space_.smallest_size; }
   const BlockMatrix& matrix() const { return matrix_; }
-  /// Factors the matrix as it stands; its pattern is analysed once. `ledger` counts analyses.
+  /// Factors the matrix as it stands, without the drives; its pattern is analysed once. `ledger` counts
+  /// analyses.
+  std::shared_ptr<const Factor> factor_of_matrix(Ledger& ledger);
+  /// Of the whole system.
   std::shared_ptr<const Factor> factor(Ledger& ledger);
-  /// 1 for each equation of a velocity, 0 for pressures and multipliers: those follow from the velocities.
+  /// 1 for each equation of a velocity, 0 for all else: that follows from the velocities.
   Vector velocity_weight() const;
   /// "the largest residual is at (x, y) m", of the gathered residual.
   std::string largest_residual(const Vector& gathered) const;
@@ -130,6 +143,8 @@ class System {
     bool with_jacobian;
   };
   void order_cells();
+  Drives make_drives(const scene::Fluid& parameters) const;
+  Residual no_residual() const;
   void assemble_cells(const Assembly& what);
   void assemble_several(const Assembly& what, Index begin, Index end);
   void assemble_single(const Assembly& what, Index k);
@@ -160,6 +175,7 @@ class System {
   std::vector<Index> cut_index_;    // of each active cell in cut_.cut_cells, or −1
   std::vector<PieceIntegrals> pieces_;
   FreeBodies free_bodies_;
+  Drives drives_;
   Vector load_;
   bool has_load_ = false;
   Index first_ghost_ = 0, first_piece_ = 0;  // block numbers

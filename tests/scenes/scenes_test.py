@@ -161,11 +161,12 @@ class Scenes(unittest.TestCase):
         self.assertGreater(errors["velocity_l2"] / finer["velocity_l2"], 2**2.7)
         self.assertGreater(errors["pressure_l2"] / finer["pressure_l2"], 2**1.7)
 
-    def test_square_array(self):
-        summary = self.run_scene("square_array")
+    def test_percolation_square_array(self):
+        summary = self.run_scene("percolation_square_array")
         self.assert_near(1 / summary["probes"]["superficial_velocity"], 51.53, 1e-3)  # Sangani & Acrivos
         self.assert_near(summary["bodies"][0]["force"][0], 1, 1e-10)
         self.assertEqual(summary["boundaries"], [])
+        self.assertLess(summary["force_balance"]["rest"], 1e-8)
 
     def test_taylor_couette(self):
         summary = self.run_scene("taylor_couette")

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/error.hpp"
+#include "fluid/bordered_factor.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -159,6 +160,22 @@ TEST(LinearSolver, refuses_a_solver_that_the_build_lacks_naming_those_it_has) {
     EXPECT_NE(std::string(error.what()).find("(umfpack"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("\"pardiso\""), std::string::npos) << error.what();
   }
+}
+
+TEST(BorderedFactor, solves_with_dense_rows_and_columns_around_the_matrix) {
+  const SaddlePoint system;
+  constexpr Index n = SaddlePoint::n, border = 2;
+  const Columns columns = Columns::Random(n, border), rows = Columns::Random(n, border);
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n + border, n + border);
+  whole.topLeftCorner<n, n>() = system.dense;
+  whole.topRightCorner<n, border>() = columns;
+  whole.bottomLeftCorner<border, n>() = rows.transpose();
+  const auto inner = analyse(system.matrix, linear_solvers().front())->factor(system.matrix);
+  const auto factor = with_border(inner, columns, rows);
+  const Vector b = Vector::Random(n + border);
+  EXPECT_LT((whole * factor->solve(b) - b).norm(), 1e-10 * b.norm());
+  EXPECT_LT((whole.transpose() * factor->solve_transposed(b) - b).norm(), 1e-10 * b.norm());
+  EXPECT_TRUE(with_border(inner, columns, Columns::Zero(n, border))->is_singular());
 }
 
 }  // namespace

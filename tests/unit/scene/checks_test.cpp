@@ -206,5 +206,15 @@ TEST(PeriodicScene, the_grains_know_the_periodic_box) {
     EXPECT_EQ(read_text(write_text(part_of(part, scene)), "part").periodic.y, (std::vector{0, 0.06}));
 }
 
+TEST(PeriodicScene, a_superficial_velocity_goes_along_periodic_axes_and_instead_of_a_pressure_drop) {
+  const std::string drop = "pressure_drop = [0, 2]", velocity = "superficial_velocity = [0, 0.1]";
+  EXPECT_EQ(error_of(with(periodic_along_y(), drop, velocity)), "");
+  EXPECT_NE(error_of(with(periodic_along_y(), drop, drop + "\n" + velocity)).find("it is found"),
+            std::string::npos);
+  EXPECT_NE(error_of(with(periodic_along_y(), drop, "superficial_velocity = [0.1, 0]"))
+                .find("must be 0 along x, which is not periodic"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace fpi::scene

@@ -73,7 +73,7 @@ TEST(Writer, escapes_strings_and_quotes_odd_names) {
                            .free_bodies_box = {},
                            .refinements = {},
                            .circles = {}};
-  scene.fluid->boundaries["the inlet"] = Boundary{.type = "no_slip"};
+  scene.fluid->boundaries["the inlet"].type = "no_slip";
   const Scene back = read_text(write_text(scene), "written");
   EXPECT_EQ(back.title, scene.title);
   EXPECT_TRUE(back.fluid->boundaries.contains("the inlet"));

@@ -1,0 +1,69 @@
+/// What drives the flow: tractions and force densities, and loads of unknown size.
+#include <algorithm>
+#include <utility>
+
+#include "fluid/system.hpp"
+
+namespace fpi::fluid {
+
+void System::set_load(double t, const BodyForce& body_force) {
+  drives_.set_time(t);
+  const bool changes = space_.boundary.traction_depends_on_time() || body_force.depends_on_time();
+  if (std::exchange(has_load_, true) && !changes) return;
+  load_.setZero();
+  space_.boundary.add_tractions(t, outlines(cut_.images), load_);
+  if (!body_force.is_zero()) add_force_density([&](const Vec2& x) { return body_force(x, t); }, load_);
+}
+
+void System::add_force_density(const std::function<Vec2(const Vec2&)>& f, Vector& load) const {
+  for (std::size_t k = 0; k < active_cells_.size(); ++k) {
+    const Index c = active_cells_[k];
+    const Quadrature rule = quadrature(k);
+    const auto nodes = space_.mesh.cell_nodes(c);
+    const auto positions = space_.mesh.cell_places(c);
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      const Padded& n = rule.points[q].shape.n;
+      const Vec2 force = rule.weight(q) * f(position_at(positions, n));
+      for (int i = 0; i < 6; ++i) load.segment<2>(2 * nodes[i]) += n[i] * force;
+    }
+  }
+}
+
+Drives System::make_drives(const scene::Fluid& parameters) const {
+  const Mesh& mesh = space_.mesh;
+  const auto unit_load = [&](Drive& drive) {
+    drive.load = Vector::Zero(load_.size());
+    drive.load_on_bodies = Vector::Zero(3 * static_cast<Eigen::Index>(interfaces_.size()));
+  };
+  std::vector<Drive> drives;
+  for (const int axis : {0, 1}) {
+    if (parameters.superficial_velocity.empty() || !mesh.period.along[axis]) continue;
+    Drive& drive = drives.emplace_back();
+    drive.name = axis == 0 ? "pressure_drop_x" : "pressure_drop_y";
+    drive.axis = axis;
+    drive.given = Expression(parameters.superficial_velocity[axis]);
+    drive.unit = mesh.box_area();
+    unit_load(drive);
+    const Vec2 along = Vec2::Unit(axis);
+    add_force_density([&](const Vec2&) { return along; }, drive.load);
+    for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+      const Interface& interface = interfaces_[i];
+      const Vec2 force = interface.outline.area() * along;
+      drive.load_on_bodies.segment<3>(3 * static_cast<Eigen::Index>(i)) << force,
+          cross(interface.outline.centroid() - interface.rigid.centre, force);
+    }
+  }
+  for (const auto& [name, boundary] : parameters.boundaries) {
+    if (!boundary.flow_rate) continue;
+    Drive& drive = drives.emplace_back();
+    drive.name = "pressure_at_" + name;
+    drive.boundary = name;
+    drive.given = Expression(*boundary.flow_rate);
+    unit_load(drive);
+    const auto part = std::ranges::find(mesh.boundary_names, name) - mesh.boundary_names.begin();
+    space_.boundary.add_pressure(static_cast<Index>(part), outlines(cut_.images), drive.load);
+  }
+  return Drives(std::move(drives));
+}
+
+}  // namespace fpi::fluid
