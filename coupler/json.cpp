@@ -242,6 +242,7 @@ std::string to_json(const Summary& s) {
               {"probes", s.probes},
               {"signals", signals(s)},
               {"profiles", profiles(s)},
+              {"percolation", figures_after(s, "percolation:")},
               {"errors", figures_after(s, "error:")},
               {"counts", counts(s)}}
              .dump(2) +

@@ -1,7 +1,7 @@
 /// The result files of a run folder: history.csv at every step, and bodies.h5 too, but for scenes with groups
 /// of grains, of which it has those steps only that fields are written at; there are fields.h5, fields.xdmf,
-/// interface.h5, boundaries.h5 and profiles.h5 at the steps that are written. What a scene does not have gets
-/// no file.
+/// interface.h5, boundaries.h5 and profiles.h5 at the steps that are written, and the fluid's tables of the
+/// last of these. What a scene does not have gets no file.
 #pragma once
 
 #include <optional>

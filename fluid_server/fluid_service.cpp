@@ -7,6 +7,7 @@
 #include "fluid/scene_mesh.hpp"
 #include "grains/expand.hpp"
 #include "measurements.hpp"
+#include "percolation_report.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -159,6 +160,7 @@ proto::Fields FluidService::write(const proto::Write& message) {
   out.fields = {std::move(velocity), std::move(pressure), std::move(active)};
   out.boundaries = boundary_curves(solver());
   out.profiles = profile_curves(scene_, solver());
+  out.tables = percolation_tables(scene_, solver());
   return out;
 }
 
@@ -170,6 +172,7 @@ proto::State FluidService::checkpoint() {
 proto::Figures FluidService::report() {
   if (!solver_) return {};
   proto::Figures figures = final_figures(scene_, *solver_);
+  for (auto& figure : percolation_figures(scene_, *solver_)) figures.push_back(std::move(figure));
   if (const auto balance = solver_->force_balance()) {
     const proto::Figures terms = balance_figures(scene_.thickness, *balance);
     figures.insert(figures.end(), terms.begin(), terms.end());

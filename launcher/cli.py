@@ -2,6 +2,7 @@
 
 import argparse
 import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -46,6 +47,10 @@ def parser() -> argparse.ArgumentParser:
     running = word("run", do_run, "run a scene to its end", scene=True)
     running.add_argument("--out", type=Path, metavar="DIR", help="run folder, new or empty (default runs/SCENE)")
     script_options(running)
+    sweeping = word("sweep", do_sweep, "run a scene at every combination of some values, go on where it was left, and tabulate", scene=True)
+    sweeping.add_argument("axes", nargs="+", metavar="KEY=A,B,C", help="a key of the scene and its values, e.g. fluid.pressure_drop=[1,0],[2,0]")
+    sweeping.add_argument("--out", type=Path, metavar="DIR", help="folder of the sweep, new or that of the same sweep (default runs/SCENE-sweep)")
+    script_options(sweeping)
     word("check", do_check, "read and check a scene without running it", scene=True)
     resuming = word("resume", do_resume, "continue a run from its last checkpoint")
     resuming.add_argument("run", type=Path, metavar="RUN", help="the run folder")
@@ -129,6 +134,63 @@ def do_resume(arguments) -> int:
     if not scene.is_file():
         raise Refusal(f"a run folder with its scene.toml is required; there is none in {arguments.run}")
     return execute(run.Request(scene, arguments.run, resume=True), run.plan(scene, []), arguments)
+
+
+def do_sweep(arguments) -> int:
+    ensure_programs(arguments.quiet or arguments.json)
+    from launcher import sweep
+
+    scene = scenes.find(arguments.scene)
+    out = arguments.out or Path("runs") / f"{scene.stem}-sweep"
+    points = sweep.points(sweep.parse(arguments.axes))
+    rows = []
+    for number, point in enumerate(points, 1):
+        if not (arguments.quiet or arguments.json):
+            print(f"[{number}/{len(points)}] {', '.join(point.overrides)}")
+        rows.append(run_point(scene, point, out / point.name, arguments))
+        sweep.write(out / "sweep.csv", rows)
+    report_sweep(out, rows, arguments)
+    return int(any(row.status != "completed" for row in rows))
+
+
+def run_point(scene: Path, point, folder: Path, arguments):
+    """The row of a point of a sweep: what its run left behind, which is made or taken to its end first."""
+    from launcher import sweep
+
+    overrides = [*arguments.overrides, *point.overrides]
+    plan = run.plan(scene, overrides)
+    state = sweep.state_of(folder, lambda path: run.plan(path, [])["scene_fingerprint"], plan["scene_fingerprint"])
+    if state == "new":
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+    if state != "done":
+        resumed = state == "begun"
+        request = run.Request(folder / "scene.toml" if resumed else scene, folder, [] if resumed else overrides, resumed)
+        run_to_end(request, plan, arguments)
+    summary = report.summary_of(folder)
+    return sweep.Row(point, summary["status"], sweep.figures(summary))
+
+
+def report_sweep(out: Path, rows: list, arguments) -> None:
+    """Table, fit of Darcy's and Forchheimer's law where the drive was swept, and picture."""
+    from launcher import sweep
+
+    done = [row for row in rows if row.status == "completed"]
+    driven = any(sweep.is_drive(key) for key in rows[0].point.values) and any("pressure_gradient" in row.figures for row in done)
+    medium = sweep.medium(out / done[0].point.name / "scene.toml") if driven else None
+    fits = list(sweep.fits(done, medium)) if driven else []
+    if arguments.json:
+        print(json.dumps({"out": str(out), "fits": [vars(fit) for fit in fits],
+                          "runs": [{**row.point.values, "status": row.status, **row.figures} for row in rows]}, indent=2))
+    elif not arguments.quiet:
+        print("\n" + "\n".join([sweep.table(rows), "", *map(sweep.describe, fits), f"in {out}: sweep.csv, sweep.png"]))
+    if not done:
+        return
+    ensure_packages()
+    if fits:
+        sweep.draw_fits(out / "sweep.png", done, fits, medium)
+    else:
+        sweep.draw(out / "sweep.png", done)
 
 
 def execute(request: run.Request, plan: dict, arguments) -> int:

@@ -7,7 +7,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
 
-from launcher import charts, granular, maps, obstacles, report, results, streams, surface, tractions  # noqa: E402
+from launcher import charts, granular, maps, obstacles, percolation, report, results, streams, surface, tractions  # noqa: E402
 from launcher.common import Refusal  # noqa: E402
 
 STYLE = {"figure.dpi": 110, "savefig.dpi": 110, "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
@@ -54,6 +54,9 @@ def draw(run: Path, movie: bool = False) -> list[Path]:
             save(granular.snapshots(bodies, scene), "grains.png")
         if bodies is not None and len(bodies.time) > 1 and not many:
             save(charts.trajectories(bodies, scene), "trajectories.png")
+        flow = percolation.figure(run, scene)
+        if flow is not None:
+            save(flow, "percolation.png")
         if movie:
             pictures.append(draw_movie(bodies, scene, folder))
         panels = charts.panels(history)

@@ -17,6 +17,9 @@ FILES = {
     "interface.h5": "tractions on the bodies",
     "boundaries.h5": "tractions on the fitted boundaries",
     "profiles.h5": "quantities along segments",
+    "sections.csv": "means over slabs across the flow",
+    "velocities.csv": "how the fluid's velocities are distributed",
+    "grains.csv": "drag, lift and torque of every body",
     "checkpoint.h5": "where `./fpi resume` continues",
     "coupler.log": "what the coupler did",
     "fluid_server.log": "what the fluid did",
@@ -70,7 +73,7 @@ def rows(summary: dict) -> list[tuple[str, str]]:
                             f"{vector(one['velocity'])} m/s, kinetic energy {one['kinetic_energy']:.4g} J")
               for one in summary.get("grains", [])]
     lines += [(one["name"], load(one)) for one in summary.get("boundaries", [])[:MOST_LOADS] if None not in one["force"]]
-    for group in ("drives", "coefficients", "probes"):
+    for group in ("drives", "percolation", "coefficients", "probes"):
         lines += [(name, f"{value:.8g}") for name, value in summary.get(group, {}).items() if value is not None]
     lines += [(f"{name}(t)", signal(one)) for name, one in summary.get("signals", {}).items()]
     lines += [(name, f"{one['min']:.7g} at {vector(one['min_at'])} m to {one['max']:.7g} at {vector(one['max_at'])} m")

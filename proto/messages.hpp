@@ -192,6 +192,12 @@ struct Curve {
   std::uint32_t components = 1;
   std::vector<double> values{};  ///< components of each point, one after another
 };
+/// Numbers by column, row after row.
+struct Sheet {
+  std::string name{};  ///< of the file NAME.csv that the coupler writes
+  std::vector<std::string> columns{};
+  std::vector<double> values{};
+};
 /// Points x, y, z and quadratic triangles (three corners, then the middles of sides 01, 12, 20).
 struct Fields {
   double time = 0;
@@ -200,6 +206,7 @@ struct Fields {
   std::vector<Field> fields{};
   std::vector<Curve> boundaries{};  ///< traction [Pa] of the fluid, x, y, at the nodes of fitted boundaries
   std::vector<Curve> profiles{};    ///< the quantity of each [[profiles]]
+  std::vector<Sheet> tables{};      ///< what [percolation] asks for
 };
 struct Checkpoint {};
 struct State {

@@ -38,6 +38,8 @@ void Scene::declare(ParameterVisitor& v) {
   v.tables({"probes", "", "values at points, written with every step"}, probes);
   v.tables({"profiles", "", "quantities along segments, with their extrema, written with the fields"},
            profiles);
+  v.table({"percolation", "", "what is wanted of a flow through grains: see docs/percolation.md"},
+          percolation);
   v.table({"exact", "", "the exact solution, where it is known: errors are reported at the end"}, exact);
   check(*this, v);
 }
@@ -78,6 +80,7 @@ Scene part_of(Part part, const Scene& scene) {
     p.coefficients.clear();
     p.probes.clear();
     p.profiles.clear();
+    p.percolation.reset();
     p.exact.reset();
   }
   return p;

@@ -11,6 +11,7 @@
 #include "scene/dem.hpp"
 #include "scene/fluid.hpp"
 #include "scene/grains.hpp"
+#include "scene/percolation.hpp"
 #include "scene/periodic.hpp"
 #include "scene/walls.hpp"
 
@@ -181,6 +182,7 @@ struct Scene {
   std::vector<Coefficients> coefficients;
   std::vector<Probe> probes;
   std::vector<Profile> profiles;
+  std::optional<Percolation> percolation;
   std::optional<Exact> exact;
 
   void declare(ParameterVisitor& v);

@@ -42,7 +42,7 @@ Drives System::make_drives(const scene::Fluid& parameters) const {
     drive.name = axis == 0 ? "pressure_drop_x" : "pressure_drop_y";
     drive.axis = axis;
     drive.given = Expression(parameters.superficial_velocity[axis]);
-    drive.unit = mesh.box_area();
+    drive.unit = mesh.box().area();
     unit_load(drive);
     const Vec2 along = Vec2::Unit(axis);
     add_force_density([&](const Vec2&) { return along; }, drive.load);

@@ -113,13 +113,13 @@ void name_boundary(Mesh& mesh, const EdgeNumbers& number, const std::vector<Name
 
 }  // namespace
 
-double Mesh::box_area() const {
-  Vec2 lower = vertices.front(), upper = lower;
+Box Mesh::box() const {
+  Box box{vertices.front(), vertices.front()};
   for (const Vec2& x : vertices) {
-    lower = lower.cwiseMin(x);
-    upper = upper.cwiseMax(x);
+    box.lower = box.lower.cwiseMin(x);
+    box.upper = box.upper.cwiseMax(x);
   }
-  return (upper - lower).prod();
+  return box;
 }
 
 Mesh make_mesh(std::vector<Vec2> vertices, std::vector<std::array<Index, 3>> cells,

@@ -20,6 +20,12 @@ struct BoundaryEdge {
   Index boundary;  ///< index in Mesh::boundary_names
 };
 
+/// A rectangle along the axes.
+struct Box {
+  Vec2 lower, upper;  ///< corners [m]
+  double area() const { return (upper - lower).prod(); }
+};
+
 struct Mesh {
   std::vector<Vec2> vertices;                    ///< [m]
   std::vector<std::array<Index, 3>> cells;       ///< vertices, counter-clockwise
@@ -99,8 +105,8 @@ struct Mesh {
     const auto c = corners(cell);
     return 0.5 * cross(c[1] - c[0], c[2] - c[0]);
   }
-  /// Of the rectangle around the mesh [m²].
-  double box_area() const;
+  /// The rectangle around the mesh.
+  Box box() const;
   /// Local element size h = √(2·area) [m].
   double size(Index cell) const { return std::sqrt(2 * area(cell)); }
 };

@@ -6,9 +6,7 @@
 #include "core/log.hpp"
 #include "fluid/condition.hpp"
 #include "fluid/periodic_mesh.hpp"
-#include "fluid/sample.hpp"
 #include "fluid/steady.hpp"
-#include "fluid/superficial.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -226,6 +224,7 @@ void NavierStokes::accept() {
   accepted_.u = fields.u;
   accepted_.p = fields.p;
   accepted_drive_ = fields.drive;
+  accepted_tractions_ = tractions();
   accepted_interfaces_ = system_->interfaces();
   accepted_.places.clear();
   for (const Interface& interface : accepted_interfaces_) accepted_.places.push_back(place_of(interface));
@@ -275,47 +274,6 @@ double NavierStokes::condition() {
   return condition_estimate(system_->matrix(), *system_->factor_of_matrix(monitor.ledger));
 }
 
-std::vector<bool> NavierStokes::active_cells() const {
-  std::vector<bool> active(space_.mesh.n_cells(), true);
-  if (accepted_system_)
-    for (Index c = 0; c < space_.mesh.n_cells(); ++c) active[c] = accepted_system_->cut().is_active(c);
-  return active;
-}
-
-Vector NavierStokes::velocity_with_bodies() const {
-  Vector u = accepted_.u;
-  if (accepted_system_)
-    for (const CoveredNode& covered : accepted_system_->cut().covered)
-      u.segment<2>(2 * covered.node) = body_velocity(covered);
-  spread_to_copies(space_.mesh, 2, u);
-  return u;
-}
-
-std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
-  const std::optional<Place> place = space_.locator.find(x);
-  const Vec2 wrapped = space_.mesh.period.wrapped(x);
-  if (!place || (accepted_system_ && !accepted_system_->cut().is_active(place->cell))) return std::nullopt;
-  if (accepted_system_)
-    for (const Image& image :
-         accepted_system_->cut().images)  // a point on the outline itself is in the fluid
-      if (image.outline().distance(wrapped) < -1e-6 * std::sqrt(image.outline().area())) return std::nullopt;
-  const Sample here(space_.mesh, *place);
-  return std::pair{here.velocity(accepted_.u), here.pressure(accepted_.p)};
-}
-
-FlowErrors NavierStokes::errors(const ExactFlow& exact) const {
-  const bool closed = boundary_recovery_.curves().size() == space_.mesh.boundary_names.size();
-  return flow_errors(space_.mesh,
-                     accepted_system_ ? accepted_system_->cut() : cut_mesh(space_.mesh, space_.locator, {}),
-                     accepted_, exact, closed);
-}
-
-Vec2 NavierStokes::superficial_velocity() const {
-  require(accepted_system_ != nullptr,
-          "the superficial velocity is known after a step; none was accepted yet");
-  return fluid::superficial_velocity(space_.mesh, accepted_system_->cut(), accepted_.u);
-}
-
 /// Where nothing holds the fluid along an axis, a steady flow has any velocity that way, or none.
 void NavierStokes::check_held(bool steady) const {
   const auto direction = unheld_direction(space_.boundary, system_->numbering());
@@ -327,21 +285,6 @@ void NavierStokes::check_held(bool steady) const {
           nothing);
   if (!body_force_.is_zero())
     log::warning("{}: the mean of the force on it makes it faster for ever", nothing);
-}
-
-std::optional<ForceBalance> NavierStokes::force_balance() {
-  if (!accepted_system_ || last_) return std::nullopt;
-  const Vec2 mean = mean_force(accepted_.time) + system_->drives().pressure_drop(current_.fields.drive);
-  return fluid::force_balance(*system_, flow_, current_.fields, time_terms_, accepted_.time, mean,
-                              boundary_curves(), boundary_tractions_);
-}
-
-std::map<std::string, double> NavierStokes::found_drives() const {
-  std::map<std::string, double> out;
-  if (!accepted_system_) return out;
-  for (Index k = 0; k < accepted_system_->drives().size(); ++k)
-    out[accepted_system_->drives().all()[k].name] = accepted_drive_[k];
-  return out;
 }
 
 /// The residual of the nodes that a boundary holds is what it does to the fluid, to the order of the scheme.

@@ -15,6 +15,7 @@
 #include "fluid/history.hpp"
 #include "fluid/kept_factor.hpp"
 #include "fluid/motion.hpp"
+#include "fluid/percolation.hpp"
 #include "fluid/state.hpp"
 
 namespace fpi::fluid {
@@ -79,8 +80,21 @@ class NavierStokes {
   bool has(const Vec2& x) const { return space_.locator.find(x).has_value(); }
   /// Velocity [m/s] and pressure [Pa] of the accepted state; nothing inside a body or outside the mesh.
   std::optional<std::pair<Vec2, double>> at(const Vec2& x) const;
-  /// Of the last accepted step [m/s].
-  Vec2 superficial_velocity() const;
+  /// Of the last accepted step; throws Error before the first.
+  PoreFlow pore_flow() const;
+  Vec2 superficial_velocity() const;  ///< [m/s]
+  /// Means over `n` slabs across an axis, the fall of the mean pressure included.
+  std::vector<Section> sections(int axis, int n) const;
+  std::vector<SpeedBin> speed_histogram(int axis, int n) const;
+  /// By how much the pressure falls a metre along an axis [Pa/m]: the mean one where that is periodic, else
+  /// between the sides of a rectangle; nothing where they have other names.
+  std::optional<double> pressure_fall(int axis);
+  /// At vanishing Reynolds number, see fluid/percolation.hpp; factors the Stokes equations.
+  Eigen::Matrix2d permeability();
+  /// Parts of the fluid that no open boundary gives a pressure level.
+  std::size_t n_closed_pores() const;
+  /// Of the accepted flow.
+  std::vector<BodyTraction> body_tractions() const { return accepted_tractions_; }
   /// Of the accepted state.
   FlowErrors errors(const ExactFlow& exact) const;
   /// The named boundaries that hold the fluid, and what it did to them as of the last accept.
@@ -98,6 +112,7 @@ class NavierStokes {
  private:
   NewtonResult start_step(const Request& request);
   Vec2 mean_force(double time) const;
+  Vec2 mean_fall() const;
   std::vector<Interface> with_buoyancy(const Request& request) const;
   void set_time_terms(const Request& request);
   /// u and p [m/s, Pa], and no multiplier yet.
@@ -117,6 +132,7 @@ class NavierStokes {
   Space space_;
   State accepted_;
   Vector accepted_drive_;
+  std::vector<BodyTraction> accepted_tractions_;
   BoundaryTractions boundary_recovery_;
   std::vector<BoundaryTraction> boundary_tractions_;
 

@@ -329,4 +329,10 @@ std::vector<System::Resultant> System::resultants(const Vector& lambda) const {
   return out;
 }
 
+double System::wetted_length() const {
+  double sum = 0;
+  for (const PieceIntegrals& piece : pieces_) sum += piece.length[0] + piece.length[1];
+  return sum;
+}
+
 }  // namespace fpi::fluid

@@ -98,6 +98,8 @@ class System {
   /// what boundaries let through and bodies push.
   void check_closed_parts(const Residual& residual, const Vector& u) const;
 
+  /// Zeros.
+  Residual no_residual() const;
   /// Residual of the unknowns in the system.
   Vector gather(const Residual& residual) const;
   /// Adds `step` times an update of the unknowns to the fields.
@@ -125,6 +127,8 @@ class System {
     double torque = 0;
   };
   std::vector<Resultant> resultants(const Vector& lambda) const;
+  /// Length of the bodies' outlines in the fluid [m].
+  double wetted_length() const;
 
  private:
   void declare_blocks();
@@ -144,7 +148,6 @@ class System {
   };
   void order_cells();
   Drives make_drives(const scene::Fluid& parameters) const;
-  Residual no_residual() const;
   void assemble_cells(const Assembly& what);
   void assemble_several(const Assembly& what, Index begin, Index end);
   void assemble_single(const Assembly& what, Index k);

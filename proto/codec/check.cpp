@@ -3,6 +3,7 @@
 #include "proto/codec/check.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -149,6 +150,15 @@ void rules(const Place& at, const Curve& curve) {
   demand(curve.components > 0, at, "components", "> 0", curve.components);
   demand(curve.values.size() == n_points * curve.components, at, "values",
          fmt::format("{} numbers", n_points * curve.components), curve.values.size());
+}
+
+void rules(const Place& at, const Sheet& table) {
+  const auto is_plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  demand(!table.name.empty() && std::ranges::all_of(table.name, is_plain), at, "name",
+         "a word of letters, digits and _", table.name);
+  const std::size_t columns = table.columns.size();
+  demand(columns > 0 && table.values.size() % columns == 0, at, "values",
+         "rows of one number or more a column", table.values.size());
 }
 
 void rules(const Place& at, const Fields& fields) {

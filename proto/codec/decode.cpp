@@ -103,6 +103,10 @@ Curve unpack(Reader& r, const wire::Curve* w) {
           r.numbers(w->values())};
 }
 
+Sheet unpack(Reader& r, const wire::Sheet* w) {
+  return {r.text(w->name()), r.list(w->columns()), r.numbers(w->values())};
+}
+
 // ---- messages -----------------------------------------------------------------------------------
 
 Hello unpack(Reader& r, const wire::Hello* w) {
@@ -141,7 +145,8 @@ Accepted unpack(Reader& r, const wire::Accepted* w) { return {r.list(w->figures(
 Write unpack(Reader&, const wire::Write* w) { return {w->mesh()}; }
 Fields unpack(Reader& r, const wire::Fields* w) {
   return {w->time(),           r.numbers(w->points()),  r.numbers(w->cells()),
-          r.list(w->fields()), r.list(w->boundaries()), r.list(w->profiles())};
+          r.list(w->fields()), r.list(w->boundaries()), r.list(w->profiles()),
+          r.list(w->tables())};
 }
 State unpack(Reader& r, const wire::State* w) { return {r.numbers(w->bytes())}; }
 Heartbeat unpack(Reader& r, const wire::Heartbeat* w) { return {r.text(w->phase()), w->progress()}; }

@@ -63,6 +63,10 @@ auto pack(Builder& b, const Curve& m) {
                            numbers(b, m.values));
 }
 
+auto pack(Builder& b, const Sheet& m) {
+  return wire::CreateSheet(b, text(b, m.name), b.CreateVectorOfStrings(m.columns), numbers(b, m.values));
+}
+
 template <class T>
 auto list(Builder& b, const std::vector<T>& items) {
   std::vector<decltype(pack(b, items[0]))> packed;
@@ -114,7 +118,7 @@ auto pack(Builder& b, const Restored&) { return wire::CreateRestored(b); }
 auto pack(Builder& b, const Write& m) { return wire::CreateWrite(b, m.mesh); }
 auto pack(Builder& b, const Fields& m) {
   return wire::CreateFields(b, m.time, numbers(b, m.points), numbers(b, m.cells), list(b, m.fields),
-                            list(b, m.boundaries), list(b, m.profiles));
+                            list(b, m.boundaries), list(b, m.profiles), list(b, m.tables));
 }
 auto pack(Builder& b, const Checkpoint&) { return wire::CreateCheckpoint(b); }
 auto pack(Builder& b, const State& m) { return wire::CreateState(b, numbers(b, m.bytes)); }

@@ -153,6 +153,12 @@ inline constexpr auto members_of<Field> = std::tuple{
     member("values", &Field::values),
 };
 template <>
+inline constexpr auto members_of<Sheet> = std::tuple{
+    member("name", &Sheet::name),
+    member("columns", &Sheet::columns),
+    member("values", &Sheet::values),
+};
+template <>
 inline constexpr auto members_of<Curve> = std::tuple{
     member("name", &Curve::name),     member("points", &Curve::points),
     member("lines", &Curve::lines),   member("components", &Curve::components),
@@ -166,6 +172,7 @@ inline constexpr auto members_of<Fields> = std::tuple{
     member("fields", &Fields::fields),
     member("boundaries", &Fields::boundaries),
     member("profiles", &Fields::profiles),
+    member("tables", &Fields::tables),
 };
 template <>
 inline constexpr auto members_of<State> = std::tuple{member("bytes", &State::bytes)};

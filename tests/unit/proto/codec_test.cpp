@@ -178,6 +178,9 @@ TEST(Codec, refuses_what_breaks_a_rule) {
       {Fields{.boundaries = {{.points = {1, 2, 3}, .lines = {0, 0, 1}}}}, "below the 1 points; got 1"},
       {Fields{.profiles = {{.components = 0}}}, "profiles[0].components must be > 0; got 0"},
       {Fields{.profiles = {{.points = {1, 2, 3}, .values = {1, 2}}}}, "values must be 1 numbers; got 2"},
+      {Fields{.tables = {{"../up", {"x"}, {}}}}, "name must be a word of letters, digits and _; got ../up"},
+      {Fields{.tables = {{"t", {"x", "y"}, {1, 2, 3}}}},
+       "values must be rows of one number or more a column"},
       {Heartbeat{.progress = 1.5}, "progress must be between 0 and 1; got 1.5"},
   };
   for (const auto& [message, required] : cases)

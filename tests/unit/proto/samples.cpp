@@ -54,6 +54,7 @@ std::vector<Envelope> all() {
   fields.fields = {{"velocity", false, 2, std::vector<double>(12, 1.5)}, {"active", true, 1, {1}}};
   fields.boundaries = {{"wall", std::vector<double>(9, 0.5), {0, 2, 1}, 2, {1, 2, 3, 4, 5, 6}}};
   fields.profiles = {{"middle", {0, 1, 2}, {}, 1, {7}}};
+  fields.tables = {{"sections", {"x", "pressure"}, {0, 1, 2, 3}}};
 
   const std::vector<Message> messages{
       Hello{3, "fluid", "toy", "0.1.0", {"checkpoint", "fields"}, 0xffffffffffffffff, 7},

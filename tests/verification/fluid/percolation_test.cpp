@@ -201,5 +201,70 @@ TEST(Percolation, forces_balance_while_a_disc_moves) {
   }
 }
 
+TEST(Percolation, a_channel_has_the_permeability_of_poiseuille_flow_and_no_detours) {
+  const double height = 0.6;
+  auto s = settings(1, 0.3, {{"bottom", no_slip()}, {"top", no_slip()}});
+  s.fluid.pressure_drop = {"2", "0"};
+  NavierStokes solver(make_rectangle(uniform_lines(0, 1, 4), uniform_lines(0, height, 5), {}, {true, false}),
+                      s);
+  ASSERT_TRUE(solve_steady(solver).newton.converged);
+  const Eigen::Matrix2d k = solver.permeability();
+  EXPECT_NEAR(k(0, 0), height * height / 12, 1e-13);
+  EXPECT_EQ(k(1, 1), 0);  // across there is none
+  const PoreFlow flow = solver.pore_flow();
+  EXPECT_NEAR(flow.porosity(), 1, 1e-13);
+  EXPECT_NEAR(flow.superficial_velocity().x(), k(0, 0) * 2 / 0.3, 1e-12);
+  EXPECT_NEAR(flow.tortuosity(0), 1, 1e-12);
+  const auto slabs = solver.sections(0, 4);
+  for (int i = 1; i < 4; ++i) EXPECT_NEAR(slabs[i - 1].pressure - slabs[i].pressure, 0.5, 1e-11);
+  EXPECT_NEAR(*solver.pressure_fall(0), 2, 1e-12);
+}
+
+TEST(Percolation, porosity_and_wetted_surface_are_those_of_the_circles) {
+  NavierStokes solver(torus(16, 16), stokes());
+  const auto discs = some_discs(solver);
+  ASSERT_TRUE(solve_steady(solver, discs).newton.converged);
+  double area = 0, length = 0;
+  for (const Interface& grain : discs) {
+    area += grain.outline.area();
+    length += 2 * std::sqrt(pi * grain.outline.area());
+  }
+  EXPECT_NEAR(solver.pore_flow().porosity(), 1 - area, 1e-8);
+  EXPECT_NEAR(solver.pore_flow().specific_surface(), length, 1e-8);
+}
+
+TEST(Percolation, the_tensor_is_symmetric_and_says_what_a_fall_of_pressure_does) {
+  auto s = stokes();
+  s.fluid.pressure_drop = {"0.3", "-0.2"};
+  NavierStokes solver(torus(20, 20), s);
+  ASSERT_TRUE(solve_steady(solver, some_discs(solver)).newton.converged);
+  const Eigen::Matrix2d k = solver.permeability();
+  EXPECT_NEAR(k(0, 1), k(1, 0), 1e-12 * k(0, 0));
+  EXPECT_GT(std::abs(k(0, 1)), 1e-3 * k(0, 0));
+  EXPECT_LT((k * Vec2(0.3, -0.2) - solver.superficial_velocity()).norm(), 1e-10 * k.norm());
+  auto fast = s;  // at a Reynolds number the tensor is the same
+  fast.fluid.convection = true;
+  fast.fluid.density = 100;
+  NavierStokes convected(torus(20, 20), fast);
+  ASSERT_TRUE(solve_steady(convected, some_discs(convected)).newton.converged);
+  EXPECT_LT((convected.permeability() - k).norm(), 1e-12 * k.norm());
+}
+
+TEST(Percolation, what_passes_is_the_same_in_every_section_and_all_fluid_has_a_velocity) {
+  auto s = stokes();
+  s.fluid.superficial_velocity = {"1", "0"};
+  NavierStokes solver(torus(24, 24), s);
+  ASSERT_TRUE(solve_steady(solver, some_discs(solver)).newton.converged);
+  for (const Section& slab : solver.sections(0, 4)) EXPECT_NEAR(slab.velocity, 1, 5e-3);
+  double shares = 0, mean = 0;
+  for (const SpeedBin& bin : solver.speed_histogram(0, 200)) {
+    shares += bin.share;
+    mean += bin.share * (bin.from + bin.to) / 2;
+  }
+  EXPECT_NEAR(shares, 1, 1e-12);
+  EXPECT_NEAR(mean, solver.pore_flow().pore_velocity().x(), 0.01);
+  EXPECT_GT(solver.pore_flow().tortuosity(0), 1);
+}
+
 }  // namespace
 }  // namespace fpi::fluid
