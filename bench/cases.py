@@ -1,11 +1,12 @@
 """The benchmark flows: their reference values and, from coarse to fine, what each program runs."""
 
+import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 from bench.oscillation import shedding
-from bench.tools import Run, dolfinx, fpi, freefem, gmsh_mesh, history
+from bench.tools import ROOT, Run, dolfinx, fpi, freefem, gmsh_mesh, history
 
 
 @dataclass
@@ -89,6 +90,26 @@ def cavity(folder: Path) -> list[list[Run]]:
     return [rung(32, 24), rung(56, 40), rung(80, 64)]
 
 
+def percolation(folder: Path) -> list[list[Run]]:
+    def ours(summary, _run):
+        return {"flux": summary["percolation"]["superficial_velocity_x"]}  # times 2 m², over 2 m
+
+    def fitted(found):
+        return {"flux": found["flux"]}
+
+    packing = folder / "packing"
+    subprocess.run([str(ROOT / "fpi"), "run", "percolation_random", "--quiet", "--out", str(packing),
+                    "--set", "fluid.mesh.elements_per_diameter=2"], check=True)
+
+    def rung(ratio: int, edges: int) -> list[Run]:
+        sets = [f"fluid.mesh.elements_per_diameter={ratio}", "output.fields=false"]
+        return [fpi("fpi", f"D/h {ratio}", "percolation_random", folder, sets, ours),
+                fpi("fpi, MUMPS", f"D/h {ratio}", "percolation_random", folder, [*sets, "fluid.linear_solver=\"mumps\""], ours),
+                *freefem(f"{edges} edges", "percolation.edp", [packing / "grains.csv", edges], fitted)]
+
+    return [rung(6, 20), rung(8, 32), rung(10, 48), rung(16, 64)]
+
+
 CASES = {
     "2d1": Case("DFG 2D-1, steady cylinder", {"cd": (5.57953523384, "absolute"), "cl": (0.010618948146, "absolute")},
                 steady_cylinder),
@@ -97,4 +118,5 @@ CASES = {
                  "St": (0.301841, "relative")}, shedding_cylinder),
     "cavity": Case("Lid-driven cavity, Re 1000", {"u_min": (-0.3885698, "absolute"), "v_max": (0.3769447, "absolute"),
                                                   "v_min": (-0.5270771, "absolute")}, cavity),
+    "percolation": Case("Stokes flow past 80 random grains", {"flux": (2.913e-5, "relative")}, percolation),
 }

@@ -134,6 +134,7 @@ proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const prot
 
 proto::Accepted FluidService::accept() {
   solver().accept();
+  permeability_ = permeability_figures(scene_, solver());
   return {step_figures(scene_, solver())};
 }
 
@@ -173,6 +174,7 @@ proto::Figures FluidService::report() {
   if (!solver_) return {};
   proto::Figures figures = final_figures(scene_, *solver_);
   for (auto& figure : percolation_figures(scene_, *solver_)) figures.push_back(std::move(figure));
+  figures.insert(figures.end(), permeability_.begin(), permeability_.end());
   if (const auto balance = solver_->force_balance()) {
     const proto::Figures terms = balance_figures(scene_.thickness, *balance);
     figures.insert(figures.end(), terms.begin(), terms.end());

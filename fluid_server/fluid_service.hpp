@@ -24,6 +24,7 @@ class FluidService : public proto::FluidParticipant {
 
   scene::Scene scene_;
   std::optional<NavierStokes> solver_;
+  proto::Figures permeability_;  ///< found with the accepted steady flow
 };
 
 }  // namespace fpi::fluid

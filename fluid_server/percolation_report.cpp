@@ -71,12 +71,18 @@ proto::Figures percolation_figures(const scene::Scene& scene, NavierStokes& solv
     add("kozeny_constant", 5 * kozeny_carman(flow) / permeability);
   }
   add("kozeny_carman_permeability", kozeny_carman(flow));
+  return figures;
+}
+
+proto::Figures permeability_figures(const scene::Scene& scene, NavierStokes& solver) {
+  proto::Figures figures;
+  if (!scene.percolation || !scene.time.steady) return figures;
   const Eigen::Matrix2d k = solver.permeability();
   for (const auto& [name, i, j] : {std::tuple{"permeability_xx", 0, 0},
                                    {"permeability_xy", 0, 1},
                                    {"permeability_yx", 1, 0},
                                    {"permeability_yy", 1, 1}})
-    if (k(i, i) != 0 && k(j, j) != 0) add(name, k(i, j));
+    if (k(i, i) != 0 && k(j, j) != 0) figures.emplace_back(std::string("percolation:") + name, k(i, j));
   return figures;
 }
 

@@ -144,15 +144,16 @@ bool Boundary::traction_depends_on_time() const {
   });
 }
 
-/// Adds ∫ w·t over what bodies leave of a part; n points out of the mesh.
-void Boundary::add_traction(Index boundary, const Traction& traction, std::span<const Outline> bodies,
+/// Adds ∫ w·t over what the cover leaves of a part; n points out of the mesh.
+void Boundary::add_traction(Index boundary, const Traction& traction, const Cover& cover,
                             Vector& load) const {
-  for (const BoundaryEdge& b : mesh_.boundary) {
-    if (b.boundary != boundary) continue;
+  for (std::size_t e = 0; e < mesh_.boundary.size(); ++e) {
+    const BoundaryEdge& b = mesh_.boundary[e];
+    if (b.boundary != boundary || cover.hides(e)) continue;
     const auto nodes = mesh_.edge_nodes(b);
     const EdgeNodes edge = mesh_.places(nodes);
     const Vec2 &from = mesh_.vertices[nodes[0]], &to = mesh_.vertices[nodes[1]];
-    for (const auto& [start, end] : uncovered(from, to, bodies))
+    for (const auto& [start, end] : uncovered(from, to, cover.bodies))
       for (const LinePoint& point : gauss_legendre(4)) {
         const double s = start + point.s * (end - start);
         const Vec2 along = edge_tangent(edge, s);
@@ -171,21 +172,21 @@ Boundary::Traction Boundary::given_traction(Index boundary, double t) const {
   };
 }
 
-void Boundary::add_tractions(double t, std::span<const Outline> bodies, Vector& load) const {
+void Boundary::add_tractions(double t, const Cover& cover, Vector& load) const {
   for (Index b = 0; b < static_cast<Index>(parts_.size()); ++b)
     if (is_open(b) && !(parts_[b].x.is_zero() && parts_[b].y.is_zero()))
-      add_traction(b, given_traction(b, t), bodies, load);
+      add_traction(b, given_traction(b, t), cover, load);
 }
 
-Vec2 Boundary::traction_force(Index boundary, double t, std::span<const Outline> bodies) const {
+Vec2 Boundary::traction_force(Index boundary, double t, const Cover& cover) const {
   Vector load = Vector::Zero(2 * mesh_.n_nodes());
-  add_traction(boundary, given_traction(boundary, t), bodies, load);
+  add_traction(boundary, given_traction(boundary, t), cover, load);
   return load.reshaped(2, mesh_.n_nodes()).rowwise().sum();
 }
 
-void Boundary::add_pressure(Index boundary, std::span<const Outline> bodies, Vector& load) const {
+void Boundary::add_pressure(Index boundary, const Cover& cover, Vector& load) const {
   add_traction(
-      boundary, [](const Vec2&, const Vec2& normal) { return Vec2(-normal); }, bodies, load);
+      boundary, [](const Vec2&, const Vec2& normal) { return Vec2(-normal); }, cover, load);
 }
 
 }  // namespace fpi::fluid

@@ -13,6 +13,14 @@
 
 namespace fpi::fluid {
 
+/// What keeps the fluid from the boundary: bodies, and parts of the fluid that are left out.
+struct Cover {
+  std::span<const Outline> bodies;
+  /// Of each Mesh::boundary, see Components::of_boundary; empty: all of it is beside fluid.
+  std::span<const Index> part;
+  bool hides(std::size_t edge) const { return !part.empty() && part[edge] < 0; }
+};
+
 /// How much of a node's velocity is given.
 enum class Constraint : std::uint8_t { none, normal, both };
 
@@ -27,12 +35,12 @@ class Boundary {
 
   /// Sets the given velocities at time t [s] in u (x, y of each node) [m/s].
   void impose(double t, Vector& u) const;
-  /// Adds ∫ w·t̄ over what bodies leave of the traction parts at time t [s] to `load` [N/m].
-  void add_tractions(double t, std::span<const Outline> bodies, Vector& load) const;
+  /// Adds ∫ w·t̄ over what the cover leaves of the traction parts at time t [s] to `load` [N/m].
+  void add_tractions(double t, const Cover& cover, Vector& load) const;
   /// Force of the traction at time t [s] on the fluid at a part [N/m].
-  Vec2 traction_force(Index boundary, double t, std::span<const Outline> bodies) const;
-  /// Adds −∫ w·n over what bodies leave of a part: the load of a unit pressure.
-  void add_pressure(Index boundary, std::span<const Outline> bodies, Vector& load) const;
+  Vec2 traction_force(Index boundary, double t, const Cover& cover) const;
+  /// Adds −∫ w·n over what the cover leaves of a part: the load of a unit pressure.
+  void add_pressure(Index boundary, const Cover& cover, Vector& load) const;
   bool traction_depends_on_time() const;
 
   /// 1 for the parts of the fluid that have an open boundary.
@@ -59,8 +67,7 @@ class Boundary {
     std::vector<Index> nodes;
   };
   using Traction = std::function<Vec2(const Vec2& x, const Vec2& normal)>;
-  void add_traction(Index boundary, const Traction& traction, std::span<const Outline> bodies,
-                    Vector& load) const;
+  void add_traction(Index boundary, const Traction& traction, const Cover& cover, Vector& load) const;
   Traction given_traction(Index boundary, double t) const;
   void assign_nodes();
   void find_slip_normals();

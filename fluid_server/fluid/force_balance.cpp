@@ -34,7 +34,7 @@ ForceBalance force_balance(System& system, const Flow& flow, const Fields& field
   for (Index b = 0; b < static_cast<Index>(space.mesh.boundary_names.size()); ++b) {
     if (!space.boundary.is_open(b)) continue;
     const std::string& name = space.mesh.boundary_names[b];
-    const Vec2 force = space.boundary.traction_force(b, t, bodies);
+    const Vec2 force = space.boundary.traction_force(b, t, {bodies, system.components().of_boundary});
     given += force;
     out.terms.push_back({"boundary:" + name, force + system.drives().force_at(name, fields.drive)});
   }

@@ -11,7 +11,7 @@ void System::set_load(double t, const BodyForce& body_force) {
   const bool changes = space_.boundary.traction_depends_on_time() || body_force.depends_on_time();
   if (std::exchange(has_load_, true) && !changes) return;
   load_.setZero();
-  space_.boundary.add_tractions(t, outlines(cut_.images), load_);
+  space_.boundary.add_tractions(t, {outlines(cut_.images), components_.of_boundary}, load_);
   if (!body_force.is_zero()) add_force_density([&](const Vec2& x) { return body_force(x, t); }, load_);
 }
 
@@ -61,7 +61,8 @@ Drives System::make_drives(const scene::Fluid& parameters) const {
     drive.given = Expression(*boundary.flow_rate);
     unit_load(drive);
     const auto part = std::ranges::find(mesh.boundary_names, name) - mesh.boundary_names.begin();
-    space_.boundary.add_pressure(static_cast<Index>(part), outlines(cut_.images), drive.load);
+    space_.boundary.add_pressure(static_cast<Index>(part), {outlines(cut_.images), components_.of_boundary},
+                                 drive.load);
   }
   return Drives(std::move(drives));
 }

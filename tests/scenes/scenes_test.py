@@ -168,6 +168,23 @@ class Scenes(unittest.TestCase):
         self.assertEqual(summary["boundaries"], [])
         self.assertLess(summary["force_balance"]["rest"], 1e-8)
 
+    def test_percolation_random(self):
+        summary = self.run_scene("percolation_random", "fluid.mesh.elements_per_diameter=6")
+        self.assert_near(summary["percolation"]["superficial_velocity_x"], 2.913e-5, 2e-3)  # our finest meshes, docs/percolation.md
+        self.assertLess(summary["force_balance"]["rest"], 1e-8)
+        for name, columns in (("sections", "x,porosity,pressure,superficial_velocity"), ("velocities", "from,to,share"),
+                              ("grains", "body,x,y,radius,drag,lift,torque")):
+            lines = (self.run_folder / f"{name}.csv").read_text().splitlines()
+            self.assertEqual(lines[0], columns)
+            self.assertGreater(len(lines), 20)
+
+    def test_percolation_cell(self):
+        found = self.run_scene("percolation_cell", "fluid.mesh.elements_per_diameter=4")["percolation"]
+        xx, xy, yx, yy = (found[f"permeability_{ij}"] for ij in ("xx", "xy", "yx", "yy"))
+        self.assert_near(found["superficial_velocity_x"], 1, 1e-10)
+        self.assertAlmostEqual(xy / xx, yx / xx, 10)
+        self.assert_near(found["permeability"], xx - xy * yx / yy, 1e-9)  # nothing passes across
+
     def test_taylor_couette(self):
         summary = self.run_scene("taylor_couette")
         self.assert_near(summary["bodies"][0]["torque"][2], TORQUE, 1e-4)

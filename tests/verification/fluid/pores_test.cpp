@@ -178,6 +178,7 @@ TEST(Pores, of_random_packings_stay_finite_and_lose_no_fluid) {
     EXPECT_LT(found.traction, 5) << seed;
     const double in = flux_through_line(solver, 0.001), out = flux_through_line(solver, 0.999);
     EXPECT_NEAR(in, out, 1e-3 / 12) << seed;  // of what the empty channel carries
+    EXPECT_LT(solver.force_balance()->relative(), 1e-8) << seed;
   }
 }
 
