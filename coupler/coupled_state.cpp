@@ -1,5 +1,7 @@
 #include "coupled_state.hpp"
 
+#include <array>
+
 namespace fpi {
 
 void put_numbers(const CoupledState& state, NumbersByName& numbers) {
@@ -21,6 +23,11 @@ void put_numbers(const CoupledState& state, NumbersByName& numbers) {
     put("torque", load.torque);
   }
   put("contacts", state.contacts);
+  put("left", state.left);
+  for (const Departed& departed : state.departed) {
+    put("departed", std::array{departed.count, departed.mass});
+    put("departed_momentum", departed.momentum);
+  }
 }
 
 void take_numbers(const NumbersByName& numbers, CoupledState& state) {
@@ -36,6 +43,12 @@ void take_numbers(const NumbersByName& numbers, CoupledState& state) {
   }
   const std::vector<double>& contacts = numbers.at("contacts");
   state.contacts.assign(contacts.begin(), contacts.end());
+  const std::vector<double>& left = numbers.at("left");
+  state.left.assign(left.begin(), left.end());
+  for (std::size_t i = 0; i < state.departed.size(); ++i) {
+    const double* sums = &numbers.at("departed").at(2 * i);
+    state.departed[i] = {.count = sums[0], .mass = sums[1], .momentum = triple("departed_momentum", i)};
+  }
   for (std::size_t i = 0; i < state.walls.size(); ++i) {
     state.walls[i].position = triple("wall_position", i);
     state.walls[i].orientation = Eigen::Quaterniond(&numbers.at("wall_orientation").at(4 * i));

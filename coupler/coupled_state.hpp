@@ -17,6 +17,12 @@ namespace fpi {
 /// Arrays of numbers by name, for a checkpoint.
 using NumbersByName = std::map<std::string, std::vector<double>>;
 
+/// What left through an outlet since the start of the run.
+struct Departed {
+  double count = 0, mass = 0;                          ///< bodies, [kg]
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< that they took along [kg m/s]
+};
+
 /// The state at the end of a step. Entry i belongs to body i; a scene without a fluid has no tractions and
 /// arcs.
 struct CoupledState {
@@ -26,6 +32,10 @@ struct CoupledState {
   std::vector<coupling::Arcs> arcs;
   std::vector<proto::Traction> tractions;
   std::vector<std::uint32_t> contacts;  ///< of each body; empty where the DEM does not say
+  std::vector<bool> left;               ///< of each body: it is no longer there (outlets.hpp)
+  std::vector<Departed> departed;       ///< through each outlet
+
+  bool is_there(std::size_t body) const { return !left[body]; }
 };
 
 /// What the following steps depend on; arcs and tractions are found anew in each.

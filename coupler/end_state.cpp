@@ -5,33 +5,31 @@
 #include "output/table.hpp"
 
 namespace fpi {
-namespace {
-
-std::vector<std::string> columns(bool plane) {
-  if (plane) return {"x", "y", "radius", "vx", "vy", "spin"};
-  return {"x", "y", "z", "radius", "vx", "vy", "vz", "spin_x", "spin_y", "spin_z"};
-}
-
-}  // namespace
 
 std::string final_bodies_file(const std::string& folder) { return folder + "/final_bodies.csv"; }
 
-void write_final_bodies(const scene::Scene& scene, const std::vector<coupling::RigidMotion>& motions,
-                        const std::string& folder) {
-  if (!scene.moves_freely()) return;
-  const bool plane = scene.bodies.front().is_plane();
+std::vector<std::string> end_state_columns(const scene::Scene& scene) {
+  if (scene.bodies.front().is_plane()) return {"x", "y", "radius", "vx", "vy", "spin"};
+  return {"x", "y", "z", "radius", "vx", "vy", "vz", "spin_x", "spin_y", "spin_z"};
+}
+
+std::vector<double> end_state(const scene::Scene& scene, std::size_t body,
+                              const coupling::RigidMotion& motion) {
+  const bool plane = scene.bodies[body].is_plane();
   const std::ptrdiff_t axes = plane ? 2 : 3;
-  output::Table table(final_bodies_file(folder), columns(plane));
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    if (!scene.bodies[i].is_free()) continue;
-    const coupling::RigidMotion& motion = motions[i];
-    const Eigen::Vector3d place = scene.periodic.inside(motion.position);
-    std::vector<double> line(place.begin(), place.begin() + axes);
-    line.push_back(scene.bodies[i].radius);
-    line.insert(line.end(), motion.velocity.begin(), motion.velocity.begin() + axes);
-    line.insert(line.end(), motion.spin.begin() + (plane ? 2 : 0), motion.spin.end());
-    table.append(line);
-  }
+  const Eigen::Vector3d place = scene.periodic.inside(motion.position);
+  std::vector<double> entries(place.begin(), place.begin() + axes);
+  entries.push_back(scene.bodies[body].radius);
+  entries.insert(entries.end(), motion.velocity.begin(), motion.velocity.begin() + axes);
+  entries.insert(entries.end(), motion.spin.begin() + (plane ? 2 : 0), motion.spin.end());
+  return entries;
+}
+
+void write_final_bodies(const scene::Scene& scene, const CoupledState& state, const std::string& folder) {
+  if (!scene.moves_freely()) return;
+  output::Table table(final_bodies_file(folder), end_state_columns(scene));
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (scene.bodies[i].is_free() && state.is_there(i)) table.append(end_state(scene, i, state.motions[i]));
 }
 
 }  // namespace fpi

@@ -54,6 +54,18 @@ Json groups(const Summary& summary) {
   return list;
 }
 
+Json outlets(const Summary& summary) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < summary.outlet_names.size(); ++i) {
+    const Departed& departed = summary.bodies.departed.at(i);
+    list.push_back({{"name", summary.outlet_names[i]},
+                    {"count", static_cast<std::uint64_t>(departed.count)},
+                    {"mass", departed.mass},
+                    {"momentum", vector(departed.momentum)}});
+  }
+  return list;
+}
+
 Json boundaries(const Summary& summary) {
   Json list = Json::array();
   for (std::size_t i = 0; i < summary.boundaries.size(); ++i) {
@@ -235,6 +247,7 @@ std::string to_json(const Summary& s) {
                 {"dem_server", count(s, "dem", "peak_memory_bytes")}}},
               {"bodies", bodies(s)},
               {"grains", groups(s)},
+              {"outlets", outlets(s)},
               {"boundaries", boundaries(s)},
               {"drives", s.drives},
               {"force_balance", force_balance(s)},

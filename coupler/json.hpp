@@ -29,6 +29,7 @@ struct Summary {
   std::vector<std::string> body_names;
   CoupledState bodies;
   std::vector<GroupMotion> groups;
+  std::vector<std::string> outlet_names;
   std::vector<std::string> boundary_names;
   std::vector<BoundaryLoad> boundaries;
   std::map<std::string, double> coefficients, probes, drives;

@@ -1,9 +1,12 @@
 #include "recorder.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "core/error.hpp"
+#include "end_state.hpp"
 #include "groups.hpp"
 #include "wire.hpp"
 
@@ -21,8 +24,11 @@ std::vector<std::string> history_columns(const scene::Scene& scene) {
     for (const char* quantity : {"x", "y", "vx", "vy", "spin", "fx", "fy", "torque"})
       columns.push_back(scene.bodies[i].name + "." + quantity);
   for (const scene::Grains& group : scene.grains)
-    for (const char* quantity : {"x", "y", "z", "vx", "vy", "vz", "kinetic_energy"})
+    for (const char* quantity : {"count", "x", "y", "z", "vx", "vy", "vz", "kinetic_energy"})
       columns.push_back(group.name + "." + quantity);
+  for (const scene::Outlet& outlet : scene.outlets)
+    for (const char* quantity : {"count", "mass", "momentum_x", "momentum_y", "momentum_z"})
+      columns.push_back(outlet.name + "." + quantity);
   for (const std::string& boundary : holding_boundaries(scene))
     for (const char* quantity : {"fx", "fy", "torque"}) columns.push_back(boundary + "." + quantity);
   for (const scene::Probe& probe : scene.probes) columns.push_back(probe.name);
@@ -66,6 +72,14 @@ void record_table(const std::string& folder, const proto::Sheet& table) {
     file.append(std::span(table.values).subspan(row, n));
 }
 
+/// Of a body that left.
+output::BodyRow nowhere() {
+  std::array<double, 3> nothing;
+  nothing.fill(std::nan(""));
+  return {nothing, nothing, nothing, nothing, nothing, nothing};
+}
+
+std::string left_file(const std::string& folder) { return folder + "/left_bodies.csv"; }
 std::string boundary_file(const std::string& folder) { return folder + "/boundaries.h5"; }
 std::string profile_file(const std::string& folder) { return folder + "/profiles.h5"; }
 
@@ -79,6 +93,10 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder)
       history_(history_file(folder), history_columns(scene)),
       bodies_(new_body_file(scene, folder)) {
   if (has_interface(scene)) interface_.emplace(folder);
+  if (scene.outlets.empty()) return;
+  std::vector<std::string> columns{"time", "body", "outlet", "mass"};
+  std::ranges::copy(end_state_columns(scene), std::back_inserter(columns));
+  left_.emplace(left_file(folder), columns);
 }
 
 Recorder::Recorder(const scene::Scene& scene, const std::string& folder, const std::vector<double>& sizes)
@@ -86,6 +104,7 @@ Recorder::Recorder(const scene::Scene& scene, const std::string& folder, const s
   const auto kept = [&sizes](std::size_t i) { return static_cast<std::size_t>(sizes.at(i)); };
   if (!scene.bodies.empty()) bodies_.emplace(folder, kept(5));
   if (has_interface(scene)) interface_.emplace(folder, kept(1));
+  if (!scene.outlets.empty()) left_.emplace(left_file(folder), kept(6));
   if (kept(2) > 0) fields_.emplace(folder, kept(2));
   if (kept(3) > 0) boundaries_.emplace(boundary_file(folder), "traction", kept(3));
   if (kept(4) > 0) profiles_.emplace(profile_file(folder), "value", kept(4));
@@ -102,7 +121,8 @@ std::vector<double> Recorder::sizes() const {
           size(fields_),
           size(boundaries_),
           size(profiles_),
-          size(bodies_)};
+          size(bodies_),
+          size(left_)};
 }
 
 void Recorder::record_step(double time, const Attempt& attempt, const Simulation& simulation,
@@ -124,10 +144,15 @@ void Recorder::record_step(double time, const Attempt& attempt, const Simulation
     line.insert(line.end(), {motion.position.x(), motion.position.y(), motion.velocity.x(),
                              motion.velocity.y(), motion.spin.z(), force.x(), force.y(), torque.z()});
   }
-  for (const GroupMotion& group : group_motions(scene_, simulation.state().motions)) {
+  for (const GroupMotion& group : group_motions(scene_, simulation.state())) {
+    line.push_back(static_cast<double>(group.count));
     line.insert(line.end(), group.position.begin(), group.position.end());
     line.insert(line.end(), group.velocity.begin(), group.velocity.end());
     line.push_back(group.kinetic_energy);
+  }
+  for (const Departed& departed : simulation.state().departed) {
+    line.insert(line.end(), {departed.count, departed.mass});
+    line.insert(line.end(), departed.momentum.begin(), departed.momentum.end());
   }
   for (const BoundaryLoad& load : reported.boundaries)
     line.insert(line.end(), {load.fx, load.fy, load.torque});
@@ -136,12 +161,26 @@ void Recorder::record_step(double time, const Attempt& attempt, const Simulation
   for (const DragLift& c : reported.coefficients) line.insert(line.end(), {c.drag, c.lift});
   line.insert(line.end(), reported.energies.begin(), reported.energies.end());
   history_.append(line);
+  record_departures(time, simulation.departures());
+}
+
+void Recorder::record_departures(double time, const std::vector<Departure>& departures) {
+  for (const Departure& departure : departures) {
+    std::vector<double> line{time, static_cast<double>(departure.body), static_cast<double>(departure.outlet),
+                             departure.mass};
+    std::ranges::copy(end_state(scene_, departure.body, departure.motion), std::back_inserter(line));
+    left_->append(line);
+  }
 }
 
 void Recorder::record_bodies(double time, const CoupledState& state) {
   if (!bodies_) return;
   std::vector<output::BodyRow> rows;
   for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+    if (!state.is_there(i)) {
+      rows.push_back(nowhere());
+      continue;
+    }
     const coupling::RigidMotion& motion = state.motions[i];
     const Eigen::AngleAxisd rotation(motion.orientation);
     rows.push_back(

@@ -1,7 +1,7 @@
 /// The result files of a run folder: history.csv at every step, and bodies.h5 too, but for scenes with groups
 /// of grains, of which it has those steps only that fields are written at; there are fields.h5, fields.xdmf,
 /// interface.h5, boundaries.h5 and profiles.h5 at the steps that are written, and the fluid's tables of the
-/// last of these. What a scene does not have gets no file.
+/// last of these; left_bodies.csv has a line a body that left. What a scene does not have gets no file.
 #pragma once
 
 #include <optional>
@@ -42,9 +42,12 @@ class Recorder {
   std::vector<double> sizes() const;
 
  private:
+  void record_departures(double time, const std::vector<Departure>& departures);
+
   const scene::Scene& scene_;
   std::string folder_;
   output::Table history_;
+  std::optional<output::Table> left_;
   std::optional<output::BodyWriter> bodies_;
   std::optional<output::InterfaceWriter> interface_;
   // From the first fields on:

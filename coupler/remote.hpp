@@ -22,7 +22,7 @@ class Remote : public Role {
   proto::Configured configure(const proto::Configure& message) override {
     return ask<proto::Configured>(message);
   }
-  proto::Accepted accept() override { return ask<proto::Accepted>(proto::Accept{}); }
+  proto::Accepted accept(const proto::Accept& message) override { return ask<proto::Accepted>(message); }
   void restore() override { ask<proto::Restored>(proto::Restore{}); }
   proto::Fields write(const proto::Write& message) override { return ask<proto::Fields>(message); }
   proto::State checkpoint() override { return ask<proto::State>(proto::Checkpoint{}); }
@@ -53,8 +53,8 @@ class RemoteFluid : public Remote<proto::FluidParticipant> {
   proto::FluidAdvanced advance(const proto::Stamp& stamp, const proto::FluidAdvance& message) override {
     return advance_remotely<proto::FluidAdvanced>(stamp, interfaces_.sent(message));
   }
-  proto::Accepted accept() override {
-    proto::Accepted accepted = Remote::accept();
+  proto::Accepted accept(const proto::Accept& message) override {
+    proto::Accepted accepted = Remote::accept(message);
     interfaces_.accept();
     return accepted;
   }

@@ -23,8 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array results{"fields.h5",   "fields.xdmf",  "bodies.h5",     "interface.h5",
-                             "history.csv", "summary.json", "checkpoint.h5", "final_bodies.csv"};
+constexpr std::array results{"fields.h5",     "fields.xdmf",      "bodies.h5",
+                             "interface.h5",  "history.csv",      "summary.json",
+                             "checkpoint.h5", "final_bodies.csv", "left_bodies.csv"};
 
 proto::Bytes read_bytes(const fs::path& path, const std::string& scene_file) {
   std::ifstream file(path, std::ios::binary);

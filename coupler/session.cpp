@@ -75,7 +75,7 @@ class Session {
       begin();
       admit();
       march();
-      write_final_bodies(scene_, run_->simulation().state().motions, options_.folder);
+      write_final_bodies(scene_, run_->simulation().state(), options_.folder);
       summary_.status = "completed";
       summary_.reason.clear();
     } catch (const proto::Interrupted&) {
@@ -209,7 +209,8 @@ class Session {
       summary_.worst_body = run_->simulation().body_of(worst->unknown);
     summary_.bodies = run_->simulation().state();
     for (std::size_t i = 0; i < scene_.n_listed(); ++i) summary_.body_names.push_back(scene_.bodies[i].name);
-    summary_.groups = group_motions(scene_, summary_.bodies.motions);
+    for (const scene::Outlet& outlet : scene_.outlets) summary_.outlet_names.push_back(outlet.name);
+    summary_.groups = group_motions(scene_, summary_.bodies);
     const Reported& last = run_->last_reported();
     for (std::size_t i = 0; i < last.probes.size(); ++i)
       summary_.probes[scene_.probes[i].name] = last.probes[i];

@@ -57,6 +57,8 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
   accepted_.loads.resize(scene.bodies.size());
   if (scene.fluid) float_in_still_fluid();
   accepted_.contacts.resize(scene.bodies.size());
+  accepted_.left.resize(scene.bodies.size());
+  accepted_.departed.resize(scene.outlets.size());
   for (const scene::Wall& wall : scene.walls) {
     if (!wall.moves()) continue;
     moving_walls_.emplace_back(wall);
@@ -155,6 +157,8 @@ void Simulation::begin_trial(double start, double end, double time_step) {
   for (std::size_t i = 0; i < moving_walls_.size(); ++i)
     trial_.state.walls.push_back(moving_walls_[i].advanced(accepted_.walls[i], start, end));
   trial_.state.contacts = accepted_.contacts;
+  trial_.state.left = accepted_.left;
+  trial_.state.departed = accepted_.departed;
   trial_.added = scene_.fluid && scene_.coupling.response != "none"
                      ? coupling::added_inertia(dofs_, *scene_.fluid, scene_.hydraulic_radius_ratio, time_step)
                      : Eigen::VectorXd::Zero(dofs_.size());
@@ -170,15 +174,21 @@ void Simulation::place_bodies(double start, const Eigen::VectorXd& predicted) {
   for (std::size_t i = 0; i < trial_.placed.size(); ++i) {
     const coupling::RigidMotion& before = accepted_.motions[i];
     coupling::RigidMotion& placed = trial_.placed[i];
-    if (prescribed_[i]) {
+    if (!accepted_.is_there(i)) {
+      placed = before;
+    } else if (prescribed_[i]) {
       placed = trial_.state.motions[i] = prescribed_[i]->advanced(before, start, trial_.end);
     } else {
       placed.position = coupling::trapezoidal_position(before, placed.velocity, trial_.time_step);
     }
     if (!solvers_.has_fluid()) continue;
-    trial_.state.arcs.push_back(coupling::cut_outline(scene_.bodies[i], placed, scene_.hydraulic_radius_ratio,
-                                                      solvers_.arc_lengths()[i]));
+    trial_.state.arcs.push_back(accepted_.is_there(i) ? outline(i, placed) : coupling::Arcs{});
   }
+}
+
+coupling::Arcs Simulation::outline(std::size_t body, const coupling::RigidMotion& placed) const {
+  return coupling::cut_outline(scene_.bodies[body], placed, scene_.hydraulic_radius_ratio,
+                               solvers_.arc_lengths()[body]);
 }
 
 /// Where the fluid moves the bodies: the velocities that the DEM alone would give with all inertia.
@@ -209,23 +219,29 @@ coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t 
 }
 
 void Simulation::accept() {
-  solvers_.accept(trial_.state);
+  departures_ = fpi::departures(scene_, trial_.state);
+  take_out(departures_, trial_.state);
+  solvers_.accept(trial_.state, departures_);
   predictor_.accept(dofs_.velocities(trial_.state.motions));
   iteration_.accept();
-  forget_changed_contacts();
+  forget_changed_bodies();
   if (fluid_moves_bodies_) force_of_dem_ = trial_.force_of_dem;
+  for (std::size_t k = 0; k < dofs_.bodies().size(); ++k)
+    if (trial_.state.left[dofs_.bodies()[k]])
+      force_of_dem_.segment<3>(3 * static_cast<Eigen::Index>(k)).setZero();
   accepted_ = std::move(trial_.state);
   ++steps_;
 }
 
-/// A contact that opened or closed makes a body answer in another way.
-void Simulation::forget_changed_contacts() {
+/// A contact that opened or closed makes a body answer in another way, and one that left answers no more.
+void Simulation::forget_changed_bodies() {
   const std::vector<std::uint32_t>&before = accepted_.contacts, &now = trial_.state.contacts;
-  if (now.empty() || now.size() != before.size()) return;
+  const bool knows_contacts = !now.empty() && now.size() == before.size();
   std::vector<Eigen::Index> unknowns;
   for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
     const std::size_t body = dofs_.bodies()[k];
-    if (before[body] == now[body]) continue;
+    const bool touches_others = knows_contacts && before[body] != now[body];
+    if (!touches_others && accepted_.left[body] == trial_.state.left[body]) continue;
     for (Eigen::Index i = 0; i < 3; ++i) unknowns.push_back(3 * static_cast<Eigen::Index>(k) + i);
   }
   iteration_.forget(unknowns);

@@ -12,6 +12,7 @@
 #include "coupling/predictor.hpp"
 #include "coupling/prescribed_motion.hpp"
 #include "coupling/response.hpp"
+#include "outlets.hpp"
 #include "solvers.hpp"
 
 namespace fpi {
@@ -33,6 +34,8 @@ class Simulation {
 
   std::uint64_t steps() const { return steps_; }  ///< accepted so far
   const CoupledState& state() const { return accepted_; }
+  /// Bodies that left with the last accepted step.
+  const std::vector<Departure>& departures() const { return departures_; }
   /// The name of the body that an unknown of the coupling belongs to.
   const std::string& body_of(Eigen::Index unknown) const {
     return scene_.bodies[dofs_.bodies()[static_cast<std::size_t>(unknown / 3)]].name;
@@ -52,6 +55,7 @@ class Simulation {
   void float_in_still_fluid();
   void begin_trial(double start, double end, double time_step);
   void place_bodies(double start, const Eigen::VectorXd& predicted);
+  coupling::Arcs outline(std::size_t body, const coupling::RigidMotion& placed) const;
   void iterate(const Eigen::VectorXd& first);
   bool is_badly_placed() const;
   void measure_ways();
@@ -59,7 +63,7 @@ class Simulation {
   double contraction() const;
   double element_size(std::size_t body) const;
   Eigen::VectorXd iterate_of(const Eigen::VectorXd& force_of_dem) const;
-  void forget_changed_contacts();
+  void forget_changed_bodies();
   coupling::Exchange exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration);
 
   const scene::Scene& scene_;
@@ -74,6 +78,7 @@ class Simulation {
 
   std::uint64_t steps_ = 0;
   CoupledState accepted_;
+  std::vector<Departure> departures_;
   Eigen::VectorXd force_of_dem_;  ///< mean over the accepted step on each unknown [N], [N m]
   Trial trial_;
   std::uint32_t exchanges_ = 0;  ///< in it

@@ -103,7 +103,7 @@ std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState
   if (!participants_.fluid) return "";
   proto::FluidAdvance message{.time = trial.end, .time_step = trial.time_step, .interfaces = {}};
   for (std::uint32_t i = 0; i < trial.placed.size(); ++i)
-    message.interfaces.push_back(to_wire(i, trial.state.arcs[i], trial.placed[i]));
+    if (before.is_there(i)) message.interfaces.push_back(to_wire(i, trial.state.arcs[i], trial.placed[i]));
   if (fluid_moves_bodies_) add_balances(before, trial, message.interfaces);
   proto::FluidAdvanced answer = participants_.fluid->advance(stamp, message);
   trial.report.newton_iterations += answer.newton_iterations;
@@ -116,26 +116,32 @@ std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState
 /// Each free body's own balance of momentum, for the fluid to solve with its equations.
 void Solvers::add_balances(const CoupledState& before, const Trial& trial,
                            std::vector<proto::Interface>& interfaces) const {
+  auto interface = interfaces.begin();
   for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
     const auto at = 3 * static_cast<Eigen::Index>(k);
     const std::size_t body = dofs_.bodies()[k];
+    if (!before.is_there(body)) continue;
+    while (interface->body != body) ++interface;
     const coupling::RigidMotion& start = before.motions[body];
     const auto force = trial.force_of_dem.segment<3>(at);
-    interfaces[body].balance = {.mass = dofs_.inertia()[at],
-                                .inertia = dofs_.inertia()[at + 2],
-                                .velocity = to_wire(start.velocity),
-                                .spin = to_wire(start.spin),
-                                .force = {force[0], force[1], 0},
-                                .torque = {0, 0, force[2]}};
+    interface->balance = {.mass = dofs_.inertia()[at],
+                          .inertia = dofs_.inertia()[at + 2],
+                          .velocity = to_wire(start.velocity),
+                          .spin = to_wire(start.spin),
+                          .force = {force[0], force[1], 0},
+                          .torque = {0, 0, force[2]}};
   }
 }
 
 void Solvers::take_tractions(std::vector<proto::Traction> tractions, Trial& trial) const {
-  require(tractions.size() == scene_.bodies.size(),
-          "the fluid must answer with a traction for each of {} bodies; got {}", scene_.bodies.size(),
+  const auto n = static_cast<std::size_t>(std::ranges::count(trial.state.left, false));
+  require(tractions.size() == n, "the fluid must answer with a traction for each of {} bodies; got {}", n,
           tractions.size());
-  for (std::size_t i = 0; i < tractions.size(); ++i) {
-    const proto::Traction& traction = tractions[i];
+  trial.state.tractions.assign(scene_.bodies.size(), {});
+  auto next = tractions.begin();
+  for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
+    if (!trial.state.is_there(i)) continue;
+    proto::Traction& traction = trial.state.tractions[i] = std::move(*next++);
     const std::size_t n_arcs = trial.state.arcs[i].size();
     require(traction.body == i && traction.values.size() == 2 * n_arcs,
             "the fluid must answer in the order of the bodies with two values an arc; for body \"{}\" with "
@@ -148,7 +154,6 @@ void Solvers::take_tractions(std::vector<proto::Traction> tractions, Trial& tria
       trial.placed[i].spin = coupling::to_eigen(traction.spin);
     }
   }
-  trial.state.tractions = std::move(tractions);
 }
 
 std::string Solvers::advance_dem(const proto::Stamp& stamp, Trial& trial) {
@@ -183,6 +188,7 @@ std::vector<proto::Load> Solvers::loads_on_free_bodies(const Trial& trial) const
   std::vector<proto::Load> loads;
   for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
     const std::size_t body = dofs_.bodies()[k];
+    if (!trial.state.is_there(body)) continue;
     loads.push_back(to_wire(trial.state.arcs[body], trial.state.tractions[body]));
     if (!participants_.dem_takes_added_inertia) continue;
     loads.back().velocity = to_wire(trial.placed[body].velocity);
@@ -200,23 +206,40 @@ void Solvers::take_motions(const std::vector<proto::Motion>& motions, CoupledSta
   for (std::size_t i = 0; i < motions.size(); ++i) {
     require(motions[i].body == i, "the DEM must answer in the order of the bodies; entry {} is of body {}", i,
             motions[i].body);
-    if (scene_.bodies[i].is_free()) state.motions[i] = from_wire(motions[i]);
+    if (scene_.bodies[i].is_free() && state.is_there(i)) state.motions[i] = from_wire(motions[i]);
   }
 }
 
-void Solvers::accept(const CoupledState& state) {
+void Solvers::accept(const CoupledState& state, const std::vector<Departure>& leaving) {
+  proto::Accept message;
+  for (const Departure& departure : leaving)
+    message.left.push_back(static_cast<std::uint32_t>(departure.body));
   figures_.clear();
   const auto take = [this](const proto::Accepted& accepted) {
     figures_.insert(accepted.figures.begin(), accepted.figures.end());
   };
   if (participants_.fluid) {
-    take(participants_.fluid->accept());
-    std::vector<proto::ArcLength> lengths;
-    for (const proto::Traction& t : state.tractions)
-      lengths.push_back({.body = t.body, .length = t.arc_length});
-    take_arc_lengths(lengths);
+    take(participants_.fluid->accept(message));
+    take_arc_lengths(wanted_lengths(state));
   }
-  if (participants_.dem) take(participants_.dem->accept());
+  if (participants_.dem) take(participants_.dem->accept(message));
+}
+
+/// Of the bodies that are there. One that is on its way out of the mesh keeps the length that it had.
+std::vector<proto::ArcLength> Solvers::wanted_lengths(const CoupledState& state) const {
+  std::vector<proto::ArcLength> lengths;
+  for (std::uint32_t i = 0; i < state.tractions.size(); ++i) {
+    if (!state.is_there(i)) continue;
+    const double length = state.tractions[i].arc_length;
+    const Eigen::Vector3d& at = state.motions[i].position;
+    require(length > 0 || is_at_outlet(scene_, scene_.bodies[i], at),
+            "body \"{}\" must stay in the mesh, or leave through one of [[outlets]]; at ({:g}, {:g}) m it "
+            "meets no "
+            "element: end the run earlier, make the mesh larger, or add an outlet there",
+            scene_.bodies[i].name, at.x(), at.y());
+    if (length > 0) lengths.push_back({.body = i, .length = length});
+  }
+  return lengths;
 }
 
 void Solvers::restore() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coupled_state.hpp"
+#include "outlets.hpp"
 #include "proto/participant.hpp"
 #include "scene/scene.hpp"
 
@@ -43,7 +44,8 @@ class Solvers {
   /// has nothing to say. Returns "" or why the solver did not converge.
   std::string advance_fluid(const proto::Stamp& stamp, const CoupledState& before, Trial& trial);
   std::string advance_dem(const proto::Stamp& stamp, Trial& trial);
-  void accept(const CoupledState& state);
+  /// `leaving`: bodies that take no part any more.
+  void accept(const CoupledState& state, const std::vector<Departure>& leaving);
   void restore();
 
   /// [m] that the fluid wants for the interface mesh, one a body.
@@ -59,6 +61,7 @@ class Solvers {
   proto::DemAdvance message_to_dem(const Trial& trial) const;
   std::vector<proto::Load> loads_on_free_bodies(const Trial& trial) const;
   void take_motions(const std::vector<proto::Motion>& motions, CoupledState& state) const;
+  std::vector<proto::ArcLength> wanted_lengths(const CoupledState& state) const;
   void take_arc_lengths(const std::vector<proto::ArcLength>& lengths);
   void warn_where_coarse(std::size_t body);
 

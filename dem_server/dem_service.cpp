@@ -104,8 +104,8 @@ proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdva
           .largest_overlap = outcome.largest_overlap};
 }
 
-proto::Accepted DemService::accept() {
-  solver().accept();
+proto::Accepted DemService::accept(const proto::Accept& message) {
+  solver().accept(message.left);
   solver().check_none_lost(time_);
   return {.figures = energies()};
 }

@@ -13,7 +13,7 @@ class DemService : public proto::DemParticipant {
  public:
   proto::Configured configure(const proto::Configure& message) override;
   proto::DemAdvanced advance(const proto::Stamp& stamp, const proto::DemAdvance& message) override;
-  proto::Accepted accept() override;
+  proto::Accepted accept(const proto::Accept&) override;
   void restore() override;
   proto::State checkpoint() override;
   proto::Figures report() override;

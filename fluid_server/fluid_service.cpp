@@ -132,7 +132,8 @@ proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const prot
   return out;
 }
 
-proto::Accepted FluidService::accept() {
+/// Bodies that leave are not among the interfaces of the next step, which is all that the flow needs.
+proto::Accepted FluidService::accept(const proto::Accept&) {
   solver().accept();
   permeability_ = permeability_figures(scene_, solver());
   return {step_figures(scene_, solver())};

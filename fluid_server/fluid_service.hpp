@@ -13,7 +13,7 @@ class FluidService : public proto::FluidParticipant {
  public:
   proto::Configured configure(const proto::Configure& message) override;
   proto::FluidAdvanced advance(const proto::Stamp& stamp, const proto::FluidAdvance& message) override;
-  proto::Accepted accept() override;
+  proto::Accepted accept(const proto::Accept&) override;
   void restore() override;
   proto::Fields write(const proto::Write& message) override;
   proto::State checkpoint() override;

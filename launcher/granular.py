@@ -24,11 +24,11 @@ class View:
         self.order = np.argsort(-bodies.position[0, :, depth] if depth == 1 else bodies.position[0, :, depth], kind="stable")
         self.bodies, self.scene = bodies, scene
         self.speed = np.linalg.norm(bodies.velocity, axis=2)
-        self.fastest = max(float(np.percentile(self.speed, 99.5)), 1e-12)
+        self.fastest = max(float(np.nanpercentile(self.speed, 99.5)), 1e-12)  # NaN: left
         # Few that flew far must not make all others small.
         seen = bodies.position[:, :, self.axes].reshape(-1, 2)
         margin = 2 * bodies.radius.max()
-        self.lower, self.upper = np.percentile(seen, 0.5, axis=0) - margin, np.percentile(seen, 99.5, axis=0) + margin
+        self.lower, self.upper = np.nanpercentile(seen, 0.5, axis=0) - margin, np.nanpercentile(seen, 99.5, axis=0) + margin
         for line in (line for wall in scene.walls if wall["shape"] in ("polyline", "arc") for line in self.lines(wall)):
             self.lower, self.upper = np.minimum(self.lower, line.min(axis=0)), np.maximum(self.upper, line.max(axis=0))
 
@@ -53,8 +53,9 @@ class View:
                  xlabel="x [m]", ylabel=f"{'xyz'[self.axes[1]]} [m]", title=self.scene.when(self.bodies.time[index]))
         return grains
 
-    def places(self, index: int) -> np.ndarray:
-        return self.bodies.position[index][self.order][:, self.axes]
+    def places(self, index: int) -> np.ma.MaskedArray:
+        """Of the grains that did not leave."""
+        return np.ma.masked_invalid(self.bodies.position[index][self.order][:, self.axes])
 
     def lines(self, wall: dict) -> list[np.ndarray]:
         """What is seen of a wall, each line (points, 2); where it was at the start, if it moves."""

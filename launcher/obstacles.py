@@ -23,8 +23,8 @@ def find(fields: results.Fields, bodies: results.Bodies | None, curves: dict[str
     """Bodies at a time, then boundaries, each with the box around it."""
     found = []
     if bodies is not None:
-        found += [Obstacle(name, outline.min(axis=0), outline.max(axis=0))
-                  for name, outline in zip(bodies.names, bodies.outlines(time))]
+        found += [Obstacle(bodies.names[i], outline.min(axis=0), outline.max(axis=0))
+                  for i, outline in bodies.outlines(time).items()]
     return found + [Obstacle(name, curve.points.min(axis=0), curve.points.max(axis=0))
                     for name, curve in curves.items() if stands_in_the_flow(curve, fields)]
 

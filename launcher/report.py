@@ -14,6 +14,8 @@ FILES = {
     "fields.xdmf": "velocity and pressure, for ParaView",
     "fields.h5": "the same in HDF5",
     "bodies.h5": "positions, velocities, forces of the bodies",
+    "final_bodies.csv": "where the free bodies are at the end",
+    "left_bodies.csv": "the bodies that left: when, where, how fast",
     "interface.h5": "tractions on the bodies",
     "boundaries.h5": "tractions on the fitted boundaries",
     "profiles.h5": "quantities along segments",
@@ -70,8 +72,12 @@ def rows(summary: dict) -> list[tuple[str, str]]:
     if len(summary["bodies"]) > MOST_LOADS:
         lines.append(("…", f"{len(summary['bodies']) - MOST_LOADS} more bodies"))
     lines += [(one["name"], f"{one['count']} grains around {vector(one['position'])} m, mean velocity "
-                            f"{vector(one['velocity'])} m/s, kinetic energy {one['kinetic_energy']:.4g} J")
+                            f"{vector(one['velocity'])} m/s, kinetic energy {one['kinetic_energy']:.4g} J"
+                            if one["count"] else "no grain is left")
               for one in summary.get("grains", [])]
+    lines += [(f"left {one['name']}", f"{one['count']} bodies of {one['mass']:.6g} kg with a momentum of "
+                                      f"{vector(one['momentum'])} kg m/s")
+              for one in summary.get("outlets", [])]
     lines += [(one["name"], load(one)) for one in summary.get("boundaries", [])[:MOST_LOADS] if None not in one["force"]]
     for group in ("drives", "percolation", "coefficients", "probes"):
         lines += [(name, f"{value:.8g}") for name, value in summary.get(group, {}).items() if value is not None]

@@ -72,17 +72,19 @@ class Bodies:
     angle: np.ndarray  # (times, bodies) about z [rad]
     vertices: list[np.ndarray | None] = field(default_factory=list)  # of polygons: (corners, 2) from the position [m]
 
-    def outlines(self, time: float) -> list[np.ndarray]:
-        """Points around each body at the written time nearest to `time`."""
+    def outlines(self, time: float) -> dict[int, np.ndarray]:
+        """Points around each body that is there at the written time nearest to `time`."""
         index = np.argmin(np.abs(self.time - time))
-        found = []
+        found = {}
         for i, radius in enumerate(self.radius):
             polygon = self.vertices[i] if i < len(self.vertices) else None
             if polygon is None:
                 turn = np.linspace(0, 2 * np.pi, 73)[:-1]
                 polygon = radius * np.stack([np.cos(turn), np.sin(turn)], axis=1)
             cosine, sine = np.cos(self.angle[index, i]), np.sin(self.angle[index, i])
-            found.append(self.position[index, i, :2] + polygon @ np.array([[cosine, sine], [-sine, cosine]]))
+            if np.isnan(self.position[index, i, 0]):
+                continue  # it left
+            found[i] = self.position[index, i, :2] + polygon @ np.array([[cosine, sine], [-sine, cosine]])
         return found
 
     def at(self, time: float) -> np.ndarray:
@@ -207,7 +209,7 @@ def read_tractions(run: Path, bodies: Bodies | None) -> Tractions | None:
         groups = [group for group in file.get("steps", {}).values() if len(group["traction"]) > 0]
         if not groups:
             return None
-        moved = np.ptp(bodies.position, axis=0).any()
+        moved = (bodies.position != bodies.position[0]).any()
         group = max(groups, key=lambda one: np.linalg.norm(one["traction"][:], axis=1).mean()) if moved else groups[-1]
         return Tractions(float(group.attrs["time"]), group["body"][:], group["middle"][:], group["traction"][:])
 

@@ -16,9 +16,8 @@ def on_obstacles(tractions: results.Tractions | None, curves: dict[str, results.
     """A panel each, arrows at one scale for all, so that sizes can be compared; None where nothing is an obstacle."""
     panels = []
     if tractions is not None and bodies is not None:
-        outlines = bodies.outlines(tractions.time)
-        panels += [(name, tractions.at[tractions.body == i], tractions.traction[tractions.body == i], outlines[i])
-                   for i, name in enumerate(bodies.names)]
+        panels += [(bodies.names[i], tractions.at[tractions.body == i], tractions.traction[tractions.body == i], outline)
+                   for i, outline in bodies.outlines(tractions.time).items()]
     if fields is not None:
         panels += [(name, curve.points, curve.values, curve.points) for name, curve in curves.items()
                    if obstacles.stands_in_the_flow(curve, fields)]

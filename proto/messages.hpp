@@ -15,7 +15,7 @@
 
 namespace fpi::proto {
 
-inline constexpr std::uint32_t protocol_version = 3;
+inline constexpr std::uint32_t protocol_version = 4;
 
 using Vec3 = std::array<double, 3>;
 using Bytes = std::vector<std::uint8_t>;
@@ -120,7 +120,7 @@ struct Traction {
   std::vector<double> values{};  ///< λ [Pa], x, y of each arc
   Vec3 force{};                  ///< [N] on the body, with the buoyancy
   Vec3 torque{};                 ///< [N m] about the centre
-  double arc_length = 0;         ///< [m] wanted next
+  double arc_length = 0;         ///< [m] wanted next; 0: the body meets no element
   Vec3 velocity{}, spin{};       ///< [m/s], [rad/s] that the fluid found, where it was sent a balance
 };
 struct FluidAdvanced {
@@ -163,7 +163,9 @@ struct DemAdvanced {
   double largest_overlap = 0;             ///< [m] met during the step
 };
 
-struct Accept {};
+struct Accept {
+  std::vector<std::uint32_t> left{};  ///< bodies that leave the run where the step ends
+};
 /// Figures of the accepted state: for the fluid the scene's probes by name, and the force on each named
 /// boundary as "force_x:NAME", "force_y:NAME" [N].
 struct Accepted {

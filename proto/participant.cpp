@@ -49,9 +49,9 @@ class Desk {
     else
       return solver_.advance(stamp, advance);
   }
-  Message serve(const Stamp&, const Accept&) {
+  Message serve(const Stamp&, const Accept& accept) {
     require(advanced_, "Accept must follow an advance; got none since the last Accept or Restore");
-    Accepted accepted = solver_.accept();
+    Accepted accepted = solver_.accept(accept);
     interfaces_.accept();
     advanced_ = false;
     return accepted;

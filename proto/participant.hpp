@@ -34,8 +34,9 @@ class Participant {
  public:
   virtual ~Participant() = default;
   virtual Configured configure(const Configure&) = 0;
-  /// Makes the last `advance` the state that the next ones start from.
-  virtual Accepted accept() = 0;
+  /// Makes the last `advance` the state that the next ones start from, without the bodies that leave: they
+  /// take no part any more and are named in no later message.
+  virtual Accepted accept(const Accept&) = 0;
   /// Forgets every `advance` since the last `accept`, bitwise.
   virtual void restore() = 0;
   /// Fields for pictures; none by default.

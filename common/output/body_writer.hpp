@@ -11,7 +11,7 @@
 
 namespace fpi::output {
 
-/// One body at one time; z components are zero in the plane, except of spin and torque.
+/// One body at one time, NaN where it is no longer there; z components are zero in the plane, except of spin and torque.
 struct BodyRow {
   std::array<double, 3> position{};  ///< [m]
   std::array<double, 3> rotation{};  ///< from the start: axis times angle, −π to π [rad]

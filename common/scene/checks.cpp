@@ -131,6 +131,8 @@ void check_dimensions(const Scene& scene, ParameterVisitor& v) {
   const std::string all_axes = fmt::format("must have {} entries, as the bodies are {}s", axes, first);
   v.require(axes == 3 || scene.gravity.size() == axes, "gravity", all_axes);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) check_wall(scene.walls[i], axes, all_axes, i, v);
+  for (std::size_t i = 0; i < scene.outlets.size(); ++i)
+    v.require(scene.outlets[i].lower.size() == axes, key_of("outlets", i, "lower"), all_axes);
 }
 
 /// The sides of a rectangle that lie in the planes across a periodic axis are no boundaries.
@@ -229,6 +231,7 @@ void check_probes(const Scene& scene, ParameterVisitor& v) {
 void check_motion(const Scene& scene, ParameterVisitor& v) {
   v.require(scene.fluid || scene.moves_freely(), "fluid",
             "must be there where no body is free: nothing would happen");
+  v.require(scene.outlets.empty() || scene.moves_freely(), "outlets", "must go with bodies that move freely");
   v.require(!scene.time.steady || !scene.moves_freely(), "time.steady",
             "must be false where bodies move freely");
   v.require(!scene.time.steady || scene.fluid, "time.steady", "must go with a [fluid]");
@@ -262,6 +265,7 @@ void check(const Scene& scene, ParameterVisitor& v) {
   check_group_names(scene, v);
   check_names("materials", scene.materials, v);
   check_names("walls", scene.walls, v);
+  check_names("outlets", scene.outlets, v);
   check_stiffness(scene, v);
   check_names("probes", scene.probes, v);
   check_materials("bodies", scene.bodies, scene, v);

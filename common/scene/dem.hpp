@@ -96,9 +96,9 @@ struct Dem {
 
   static constexpr std::array<std::string_view, 2> contacts{"hertz", "linear"};
   /// Entries of the account: had, lost to each cause, supplied by each, and the error of the steps.
-  static constexpr std::array<std::string_view, 10> energies{"kinetic",  "potential", "elastic", "damping",
-                                                             "friction", "turning",   "films",   "loads",
-                                                             "walls",    "numerical"};
+  static constexpr std::array<std::string_view, 11> energies{"kinetic",  "potential", "elastic",  "damping",
+                                                             "friction", "turning",   "films",    "left",
+                                                             "loads",    "walls",     "numerical"};
   static constexpr std::array<std::string_view, 2> schemes{"verlet", "trapezoidal"};
   static constexpr std::array<std::string_view, 2> loads_in_time{"held", "linear"};
 

@@ -28,6 +28,7 @@ void Scene::declare(ParameterVisitor& v) {
   v.tables({"grains", "", "groups of discs or spheres that are placed by a rule, or by a table"}, grains);
   v.tables({"materials", "", "what bodies and walls are made of, for their contacts"}, materials);
   v.tables({"walls", "", "what stops the grains, at rest or moving; the fluid does not see walls"}, walls);
+  v.tables({"outlets", "", "boxes in which free bodies leave the scene, are counted and taken out"}, outlets);
   v.table({"coupling", "", "the implicit staggered iteration of each time step"}, coupling);
   v.table({"output", "", "what is written, and how often"}, output);
   v.tables(
@@ -65,6 +66,7 @@ Scene part_of(Part part, const Scene& scene) {
   Scene p = scene;
   p.coupling = {};
   p.output = {};
+  p.outlets.clear();
   if (part == Part::fluid) {
     p.walls.clear();
   } else {

@@ -11,6 +11,7 @@
 #include "scene/dem.hpp"
 #include "scene/fluid.hpp"
 #include "scene/grains.hpp"
+#include "scene/outlets.hpp"
 #include "scene/percolation.hpp"
 #include "scene/periodic.hpp"
 #include "scene/walls.hpp"
@@ -177,6 +178,7 @@ struct Scene {
   std::vector<Grains> grains;
   std::vector<Material> materials;
   std::vector<Wall> walls;
+  std::vector<Outlet> outlets;
   Coupling coupling;
   Output output;
   std::vector<Coefficients> coefficients;

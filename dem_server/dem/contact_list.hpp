@@ -51,9 +51,15 @@ struct ContactList {
 
   /// Keeps only places with a memory: what a resumed run starts from.
   void keep_remembered() {
+    keep([](const Place&, const Memory& memory) { return !memory.empty(); });
+  }
+
+  /// Keeps only the places for which wanted(place, memory).
+  template <class Wanted>
+  void keep(Wanted wanted) {
     std::size_t kept = 0;
     for (std::size_t p = 0; p < places.size(); ++p) {
-      if (memories[p].empty()) continue;
+      if (!wanted(places[p], memories[p])) continue;
       places[kept] = places[p];
       memories[kept++] = memories[p];
     }

@@ -65,8 +65,9 @@ Energies energies(const Model& model, const State& state) {
   return sum;
 }
 
-EnergyAccount energy_account(const Energies& start, const Energies& now, const Works& works) {
-  const auto gain = [&](double Energies::*of) { return now.*of - start.*of; };
+EnergyAccount energy_account(const Energies& start, const Energies& now, const State& state) {
+  const Works& works = state.works;
+  const auto gain = [&](double Energies::*of) { return now.*of + state.taken.*of - start.*of; };
   return {now.kinetic,
           now.potential,
           now.elastic(),
@@ -74,6 +75,7 @@ EnergyAccount energy_account(const Energies& start, const Energies& now, const W
           -works.friction - gain(&Energies::tangential),
           -works.turning - gain(&Energies::turning),
           -works.films,
+          state.taken.all(),
           works.loads,
           works.boundaries,
           works.conservative + gain(&Energies::potential) + gain(&Energies::normal)};

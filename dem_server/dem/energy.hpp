@@ -12,22 +12,13 @@
 
 namespace fpi::dem {
 
-/// What bodies and contacts have now [J].
-struct Energies {
-  double kinetic = 0;     ///< of free bodies, by their own mass
-  double potential = 0;   ///< of height, and of attractions
-  double normal = 0;      ///< stored along the normals of contacts
-  double tangential = 0;  ///< in their springs along the surface
-  double turning = 0;     ///< in their springs of rolling and twisting
-  double elastic() const { return normal + tangential + turning; }
-};
 /// Of a state whose neighbours are found.
 Energies energies(const Model& model, const State& state);
 
 /// The entries of scene::Dem::energies, in that order [J]: kinetic + potential + elastic + lost − supplied −
 /// numerical is what it was at the start, to round-off.
 using EnergyAccount = std::array<double, scene::Dem::energies.size()>;
-EnergyAccount energy_account(const Energies& start, const Energies& now, const Works& works);
+EnergyAccount energy_account(const Energies& start, const Energies& now, const State& state);
 
 /// Takes down the work of kicks.
 class WorkMeter {

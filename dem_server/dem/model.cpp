@@ -43,6 +43,7 @@ void add_body(const Problem& problem, const scene::Body& body, Bodies& bodies) {
   bodies.inertia.push_back(inertia);
   bodies.inverse_mass.push_back(body.is_free() ? 1 / mass : 0);
   bodies.inverse_inertia.push_back(body.is_free() && body.rotates ? 1 / inertia : 0);
+  bodies.left.push_back(false);
   bodies.material.push_back(material_index(problem, "body " + body.name, body.material));
 }
 

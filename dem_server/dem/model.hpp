@@ -38,8 +38,13 @@ struct Bodies {
   std::vector<double> inverse_mass;     ///< [1/kg], with what a fluid adds; 0 where not free
   std::vector<double> inverse_inertia;  ///< [1/(kg m²)], likewise; 0 where not free to turn
   std::vector<std::size_t> material;
+  std::vector<bool> left;  ///< it is no longer there: nothing moves it and it touches nothing
   std::size_t size() const { return radius.size(); }
   bool is_free(std::size_t i) const { return inverse_mass[i] > 0; }
+  void take_out(std::size_t i) {
+    left[i] = true;
+    inverse_mass[i] = inverse_inertia[i] = 0;
+  }
   /// Has a free body move with its own inertia and this.
   void set_added(std::size_t i, double added_mass, double added_inertia) {
     if (!is_free(i)) return;

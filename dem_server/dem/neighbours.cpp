@@ -154,10 +154,12 @@ std::vector<Pair> every_pair(std::size_t n) {
   return pairs;
 }
 
-/// Lists pairs of particles by the lower one, without those of two bodies that are not free.
+/// Lists pairs of particles by the lower one, without those of two bodies that are not free and of bodies
+/// that left.
 void list_pairs(const Bodies& bodies, std::vector<Pair> pairs, Neighbours& found) {
   std::erase_if(pairs, [&](const Pair& pair) {
-    return !bodies.is_free(found.order[pair.a]) && !bodies.is_free(found.order[pair.b]);
+    const std::uint32_t a = found.order[pair.a], b = found.order[pair.b];
+    return (!bodies.is_free(a) && !bodies.is_free(b)) || bodies.left[a] || bodies.left[b];
   });
   std::vector<std::uint32_t> lower;
   lower.reserve(pairs.size());

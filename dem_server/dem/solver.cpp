@@ -73,6 +73,10 @@ Energies energies_of(const Model& model, State state) {
   return energies(model, state);
 }
 
+void add_difference(const Energies& more, const Energies& less, Energies& sum) {
+  for (double Energies::*part : all_energies) sum.*part += more.*part - less.*part;
+}
+
 }  // namespace
 
 Solver::Solver(const Problem& problem) : model_(make_model(problem)) {
@@ -97,6 +101,24 @@ Advanced Solver::advance(double time_step, std::span<const Load> loads,
   finish_prescribed(prescribed);
   finish_walls(walls);
   return outcome;
+}
+
+void Solver::accept(std::span<const std::uint32_t> leaving) {
+  accepted_ = trial_;
+  if (leaving.empty()) return;
+  const Energies before = model_.accounts_energy ? energies_of(model_, accepted_) : Energies{};
+  for (const std::uint32_t i : leaving) {
+    check_body(model_, i, "departure");
+    require(model_.bodies.is_free(i), "a body that leaves must be free and there; {} is not",
+            model_.bodies.name[i]);
+    model_.bodies.take_out(i);
+    accepted_.left.push_back(i);
+    accepted_.motions.velocity[i].setZero();
+    accepted_.motions.spin[i].setZero();
+  }
+  forget_contacts_of_left(model_, accepted_);
+  if (model_.accounts_energy) add_difference(before, energies_of(model_, accepted_), accepted_.taken);
+  restore();
 }
 
 std::vector<std::uint32_t> Solver::contacts() const {
@@ -214,7 +236,7 @@ void Solver::check_none_lost(double time) const {
 
 std::optional<EnergyAccount> Solver::energies() const {
   if (!model_.accounts_energy) return std::nullopt;
-  return energy_account(start_, energies_of(model_, accepted_), accepted_.works);
+  return energy_account(start_, energies_of(model_, accepted_), accepted_);
 }
 
 std::vector<std::uint8_t> Solver::checkpoint() {
@@ -225,6 +247,7 @@ std::vector<std::uint8_t> Solver::checkpoint() {
 
 void Solver::resume(std::span<const std::uint8_t> bytes) {
   accepted_ = from_bytes(bytes, model_);
+  for (const std::uint32_t i : accepted_.left) model_.bodies.take_out(i);
   restore();
 }
 

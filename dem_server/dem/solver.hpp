@@ -45,7 +45,8 @@ class Solver {
   /// narrower ones the fluid does not resolve; empty where there is no fluid.
   Advanced advance(double time_step, std::span<const Load> loads, std::span<const Prescribed> prescribed = {},
                    std::span<const double> resolved_gaps = {}, std::span<const Prescribed> walls = {});
-  void accept() { accepted_ = trial_; }
+  /// Bodies that leave are taken out, contacts and all.
+  void accept(std::span<const std::uint32_t> leaving = {});
   void restore() { trial_ = accepted_; }
 
   /// Throws Error naming a free body that left the places where it could be expected, `time` being now [s].

@@ -8,11 +8,12 @@
 namespace fpi::dem {
 namespace {
 
-constexpr std::uint64_t magic = 0x36534d4544495046;  // "FPIDEMS6"
+constexpr std::uint64_t magic = 0x37534d4544495046;  // "FPIDEMS7"
 constexpr std::size_t body_size = 13 * sizeof(double);
 constexpr std::size_t contact_size = 2 * sizeof(std::uint32_t) + 7 * sizeof(double);
 constexpr std::size_t load_size = 6 * sizeof(double);
 constexpr std::size_t works_size = sizeof(Works);
+constexpr std::size_t taken_size = all_energies.size() * sizeof(double);
 constexpr std::size_t wall_size = 10 * sizeof(double);
 
 constexpr std::array all_works{&Works::conservative, &Works::damping, &Works::friction,  &Works::turning,
@@ -84,6 +85,13 @@ void find_neighbours(const Model& model, double reach, State& state) {
   search_walls(model, state.motions.position, state.neighbours->widest_gap(), state.wall_contacts);
 }
 
+void forget_contacts_of_left(const Model& model, State& state) {
+  const std::vector<bool>& left = model.bodies.left;
+  state.contacts.keep([&](const Pair& pair, const Memory&) { return !left[pair.a] && !left[pair.b]; });
+  state.wall_contacts.keep([&](const WallPlace& place, const Memory&) { return !left[place.body]; });
+  state.neighbours.reset();
+}
+
 void forget_search(State& state) {
   state.contacts.sort();
   state.contacts.keep_remembered();
@@ -97,14 +105,17 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   const std::size_t n = motions.position.size();
   const std::size_t n_pairs = state.contacts.places.size(), n_touched = state.wall_contacts.places.size();
   const std::size_t n_walls = state.wall_contacts.motions.size(), n_loads = state.loads.force.size();
-  write.bytes.reserve(works_size + 6 * sizeof(std::uint64_t) + n * body_size + n_walls * wall_size +
-                      n_loads * load_size + (n_pairs + n_touched) * contact_size);
+  const std::size_t n_left = state.left.size();
+  write.bytes.reserve(works_size + taken_size + 7 * sizeof(std::uint64_t) + n_left * sizeof(std::uint32_t) +
+                      n * body_size + n_walls * wall_size + n_loads * load_size +
+                      (n_pairs + n_touched) * contact_size);
   write.put(magic);
   write.put(std::uint64_t{n});
   write.put(std::uint64_t{n_pairs});
   write.put(std::uint64_t{n_touched});
   write.put(std::uint64_t{n_walls});
   write.put(std::uint64_t{n_loads});
+  write.put(std::uint64_t{n_left});
   for (std::size_t i = 0; i < n; ++i) {
     write.put(motions.position[i]);
     write.put(motions.orientation[i].base);
@@ -117,6 +128,8 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
     write.put(wall.spin);
   }
   for (double Works::*work : all_works) write.put(state.works.*work);
+  for (double Energies::*part : all_energies) write.put(state.taken.*part);
+  for (const std::uint32_t body : state.left) write.put(body);
   for (std::size_t i = 0; i < n_loads; ++i) {
     write.put(state.loads.force[i]);
     write.put(state.loads.torque[i]);
@@ -132,13 +145,15 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
   const auto n = read.get<std::uint64_t>();
   const auto n_pairs = read.get<std::uint64_t>(), n_touched = read.get<std::uint64_t>();
   const auto n_walls = read.get<std::uint64_t>(), n_loads = read.get<std::uint64_t>();
+  const auto n_left = read.get<std::uint64_t>();
   require(n == model.bodies.size() && n_walls == model.walls.walls.size(),
           "a state of {} bodies and {} walls is required; got {} and {}: resume the scene it was written by",
           model.bodies.size(), model.walls.walls.size(), n, n_walls);
   require(n_loads == 0 || n_loads == n, "a DEM state of {} bodies cannot have {} loads", n, n_loads);
   const std::uint64_t most = read.left() / contact_size;
-  require(n_pairs <= most && n_touched <= most &&
-              read.left() == works_size + n * body_size + n_walls * wall_size + n_loads * load_size +
+  require(n_pairs <= most && n_touched <= most && n_left <= n &&
+              read.left() == works_size + taken_size + n_left * sizeof(std::uint32_t) + n * body_size +
+                                 n_walls * wall_size + n_loads * load_size +
                                  (n_pairs + n_touched) * contact_size,
           "a DEM state of {} bodies and {} contacts has another length than the {} bytes that came", n,
           n_pairs + n_touched, bytes.size());
@@ -156,6 +171,12 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
     wall.spin = read.vector();
   }
   for (double Works::*work : all_works) state.works.*work = read.number();
+  for (double Energies::*part : all_energies) state.taken.*part = read.number();
+  for (std::size_t k = 0; k < n_left; ++k) {
+    state.left.push_back(read.get<std::uint32_t>());
+    require(state.left.back() < n, "the DEM's state has body {} of {} leave: take another checkpoint",
+            state.left.back(), n);
+  }
   for (std::size_t i = 0; i < n_loads; ++i) {
     state.loads.force.push_back(read.vector());
     state.loads.torque.push_back(read.vector());

@@ -2,6 +2,7 @@
 /// program reads it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,17 +22,36 @@ struct Works {
   double boundaries = 0;  ///< walls that move, and what bodies that are not free are moved or held by
 };
 
+/// What bodies and contacts have [J].
+struct Energies {
+  double kinetic = 0;     ///< of free bodies, by their own mass
+  double potential = 0;   ///< of height, and of attractions
+  double normal = 0;      ///< stored along the normals of contacts
+  double tangential = 0;  ///< in their springs along the surface
+  double turning = 0;     ///< in their springs of rolling and twisting
+  double elastic() const { return normal + tangential + turning; }
+  double all() const { return kinetic + potential + elastic(); }
+};
+
 struct State {
   Motions motions;
   ContactList<Pair> contacts;  ///< of the bodies that touch each other
   WallContacts wall_contacts;
   Works works;
+  std::vector<std::uint32_t> left;  ///< bodies that are no longer there, in the order in which they left
+  Energies taken;                   ///< by them and their contacts, of the account of energies
   Forces loads;  ///< of the fluid at the end of the last step, where they are linear; empty before the first
   std::shared_ptr<const Neighbours> neighbours;  ///< none: a search is due
 };
 
 /// Lists what may touch, bodies and walls, where the bodies are now; `reach` [m] as of search.
 void find_neighbours(const Model& model, double reach, State& state);
+
+inline constexpr std::array all_energies{&Energies::kinetic, &Energies::potential, &Energies::normal,
+                                         &Energies::tangential, &Energies::turning};
+
+/// Drops what bodies that left touched and makes a search due.
+void forget_contacts_of_left(const Model& model, State& state);
 
 /// Keeps only contacts with a memory and makes a search due: what a resumed run starts from.
 void forget_search(State& state);

@@ -39,7 +39,7 @@ struct BodyTraction {
   std::vector<Vec2> lambda;   ///< force density of the fluid [Pa]: mean of each arc, value at its middle
   Vec2 force = Vec2::Zero();  ///< with the buoyancy and the fall of the mean pressure [N/m]
   double torque = 0;          ///< about the centre [N]
-  double arc_length = 0;      ///< wanted next [m]
+  double arc_length = 0;      ///< wanted next [m]; 0: it meets no element
   RigidVelocity motion;       ///< of the body, as it was given or, where it has a balance, found
 };
 

@@ -103,7 +103,7 @@ void rules(const Place& at, const FluidAdvance& advance) {
 
 void rules(const Place& at, const Traction& traction) {
   demand(traction.values.size() % 2 == 0, at, "values", "two numbers an arc", traction.values.size());
-  demand(traction.arc_length > 0, at, "arc_length", "> 0 m", traction.arc_length);
+  demand(traction.arc_length >= 0, at, "arc_length", ">= 0 m", traction.arc_length);
 }
 
 void rules(const Place& at, const FluidAdvanced& advanced) {

@@ -141,6 +141,7 @@ DemAdvanced unpack(Reader& r, const wire::DemAdvanced* w) {
   return {w->converged(), r.text(w->reason()),      r.list(w->motions()),
           w->sub_steps(), r.numbers(w->contacts()), w->largest_overlap()};
 }
+Accept unpack(Reader& r, const wire::Accept* w) { return {r.numbers(w->left())}; }
 Accepted unpack(Reader& r, const wire::Accepted* w) { return {r.list(w->figures())}; }
 Write unpack(Reader&, const wire::Write* w) { return {w->mesh()}; }
 Fields unpack(Reader& r, const wire::Fields* w) {
@@ -177,7 +178,7 @@ Message unpack(Reader& r, const wire::Envelope& e) {
     case wire::Body::DemAdvanced:
       return unpack(r, e.body_as_DemAdvanced());
     case wire::Body::Accept:
-      return Accept{};
+      return unpack(r, e.body_as_Accept());
     case wire::Body::Accepted:
       return unpack(r, e.body_as_Accepted());
     case wire::Body::Restore:

@@ -111,7 +111,7 @@ auto pack(Builder& b, const DemAdvanced& m) {
   return wire::CreateDemAdvanced(b, m.converged, text(b, m.reason), list(b, m.motions), m.sub_steps,
                                  numbers(b, m.contacts), m.largest_overlap);
 }
-auto pack(Builder& b, const Accept&) { return wire::CreateAccept(b); }
+auto pack(Builder& b, const Accept& m) { return wire::CreateAccept(b, numbers(b, m.left)); }
 auto pack(Builder& b, const Accepted& m) { return wire::CreateAccepted(b, list(b, m.figures)); }
 auto pack(Builder& b, const Restore&) { return wire::CreateRestore(b); }
 auto pack(Builder& b, const Restored&) { return wire::CreateRestored(b); }

@@ -142,6 +142,8 @@ inline constexpr auto members_of<DemAdvanced> = std::tuple{
     member("contacts", &DemAdvanced::contacts),   member("largest_overlap", &DemAdvanced::largest_overlap),
 };
 template <>
+inline constexpr auto members_of<Accept> = std::tuple{member("left", &Accept::left)};
+template <>
 inline constexpr auto members_of<Accepted> = std::tuple{member("figures", &Accepted::figures)};
 template <>
 inline constexpr auto members_of<Write> = std::tuple{member("mesh", &Write::mesh)};

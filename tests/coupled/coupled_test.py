@@ -8,12 +8,12 @@ import time
 import unittest
 from pathlib import Path
 
-from harness import DRUM_SCENE, SETTLING_SCENE, CoupledRun, channel_scene, interrupt, run_coupler, toy_scene
+from harness import DRUM_SCENE, EXIT_SCENE, SETTLING_SCENE, CoupledRun, channel_scene, interrupt, run_coupler, toy_scene
 
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
 KEYS = {"status", "reason", "steps", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
         "wall_seconds", "peak_memory_bytes", "bodies", "boundaries", "coefficients", "probes", "signals", "profiles",
-        "errors", "counts", "grains", "coupling"}
+        "errors", "counts", "grains", "coupling", "outlets", "version", "scene_fingerprint"}
 SECONDS = {"total", "mesh", "assembly", "factor", "solve", "interface", "dem", "coupling", "output"}
 
 
@@ -177,6 +177,26 @@ class Coupled(unittest.TestCase):
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertIn("resumed after step 10", resumed.log())
         self.assertEqual((run.out / "history.csv").read_bytes(), whole)
+
+    def test_discs_that_leave_are_counted_and_the_run_resumes_to_the_same_bits(self):
+        with CoupledRun(self.folder, EXIT_SCENE) as run:
+            self.assertEqual(run.wait(), 0, run.log())
+        left = (run.out / "left_bodies.csv").read_text().splitlines()
+        self.assertEqual([line.split(",")[1] for line in left], ["body", "1", "0"])  # the one in front first
+        (outlet,) = run.summary["outlets"]
+        mass = 1000 * math.pi * 4e-3 ** 2
+        self.assertEqual(outlet["count"], 2)
+        self.assertAlmostEqual(outlet["mass"] / mass, 2, 12)
+        self.assertAlmostEqual(outlet["momentum"][0] / (2 * mass), 0.1, 1)
+        self.assertEqual(run.summary["grains"][0]["count"], 0)
+        self.assertIsNone(run.summary["grains"][0]["position"][0])
+        whole = {name: (run.out / name).read_bytes() for name in ("history.csv", "bodies.h5", "left_bodies.csv")}
+        run.forget_its_end()
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+        self.assertIn("resumed after step 16", resumed.log())
+        for name, content in whole.items():
+            self.assertEqual((run.out / name).read_bytes(), content, name)
 
     def test_grains_in_a_drum_that_turns_resume_to_the_same_bits(self):
         with CoupledRun(self.folder, DRUM_SCENE) as run:

@@ -105,6 +105,41 @@ velocity = ["0.2*cos(20*t)", 0.1]
 """
 
 
+EXIT_SCENE = """
+title = "two discs, one behind the other, are carried out of a channel"
+[time]
+step = 0.02
+end = 0.6
+[output]
+interval = 0.1
+checkpoint_every = 16
+[fluid]
+density = 1000.0
+kinematic_viscosity = 1e-4
+mesh = {lower = [0.0, 0.0], upper = [0.03, 0.02], cells_x = 24, cells_y = 16}
+[fluid.boundaries]
+left = {type = "velocity", velocity = ["1000*y*(0.02-y)", 0]}
+right.type = "traction"
+bottom.type = "no_slip"
+top.type = "no_slip"
+[[grains]]
+name = "disc"
+generator = "square"
+lower = [0.005, 0.005]
+upper = [0.025, 0.015]
+radius = 4e-3
+gap = 1e-3
+density = 1000.0
+[[materials]]
+name = "plastic"
+youngs_modulus = 1e6
+[[outlets]]
+name = "right"
+lower = [0.03, -1.0]
+upper = [1.0, 1.0]
+"""
+
+
 CHANNEL_SCENE = """
 title = "a pulse of inflow past a held disc, on a coarse mesh"
 [time]

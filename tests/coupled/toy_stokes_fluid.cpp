@@ -38,7 +38,7 @@ class StokesFluid : public FluidParticipant {
     return advanced;
   }
 
-  Accepted accept() override { return {}; }  // steady drag: nothing is remembered
+  Accepted accept(const Accept&) override { return {}; }  // steady drag: nothing is remembered
   void restore() override {}
 
  private:

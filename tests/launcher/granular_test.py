@@ -52,6 +52,18 @@ class Granular(unittest.TestCase):
         write_run(self.run_folder, times=3)
         self.assertEqual([path.name for path in plot.draw(self.run_folder)], ["grains.png"])
 
+    def test_grains_that_left_are_not_drawn_and_spoil_no_scale(self):
+        write_run(self.run_folder, times=3)
+        with h5py.File(self.run_folder / "bodies.h5", "r+") as file:
+            for name in ("position", "velocity"):
+                file[name][1:, 4] = np.nan
+        bodies, scene = results.read_bodies(self.run_folder), results.read_scene(self.run_folder)
+        view = granular.View(bodies, scene)
+        self.assertTrue(np.isfinite([view.fastest, *view.lower, *view.upper]).all())
+        self.assertEqual(np.ma.count_masked(view.places(0)), 0)
+        self.assertEqual(np.ma.count_masked(view.places(2)[:, 0]), 1)
+        self.assertEqual([path.name for path in plot.draw(self.run_folder)], ["grains.png"])
+
     def test_spheres_are_seen_from_the_side_nearest_on_top(self):
         write_run(self.run_folder, times=1)
         view = granular.View(results.read_bodies(self.run_folder), results.read_scene(self.run_folder))

@@ -176,9 +176,15 @@ class Plot(unittest.TestCase):
         bodies = results.Bodies(["blade", "disc"], np.array([0, 0.5]), np.array([0.0, 1.0]),
                                 np.array([2 * [[0, 0, 0]], 2 * [[2, 3, 0]]], float), np.zeros((2, 2, 3)),
                                 np.array([[0, 0], [np.pi / 4, 1]]), [square, None])
-        blade, disc = bodies.outlines(1.0)
+        blade, disc = bodies.outlines(1.0).values()
         np.testing.assert_allclose(blade[0], [2, 3 + np.sqrt(2)])
         np.testing.assert_allclose(np.linalg.norm(disc - [2, 3], axis=1), 0.5)
+
+    def test_a_body_that_left_has_no_outline(self):
+        nowhere = np.full(3, np.nan)
+        bodies = results.Bodies(["gone", "there"], np.array([0.1, 0.5]), np.array([0.0]),
+                                np.array([[nowhere, [2, 3, 0]]]), np.array([[nowhere, nowhere]]), np.zeros((1, 2)))
+        self.assertEqual(list(bodies.outlines(0.0)), [1])
 
     def test_what_stands_in_the_flow_is_not_a_side_of_the_domain(self):
         write_run(self.run_folder)

@@ -55,7 +55,7 @@ class FakeFluid : public proto::FluidParticipant {
                                 .newton_iterations = 2,
                                 .time_error = stiffness * std::pow(message.time_step, 3),
                                 .time_error_order = stiffness > 0 ? 3.0 : 0.0};
-    tried_.clear();
+    tried_ = velocities_;
     for (const proto::Interface& body : message.interfaces) {
       const double before = velocities_[body.body], rate = message.time_step > 0 ? 1 / message.time_step : 0;
       double v = body.translation[1];
@@ -70,13 +70,13 @@ class FakeFluid : public proto::FluidParticipant {
                                   .arc_length = arc_length,
                                   .velocity = {body.translation[0], v, 0},
                                   .spin = body.spin});
-      tried_.push_back(v);
+      tried_[body.body] = v;
     }
     answer.tractions.resize(answer.tractions.size() - missing_tractions);
     return answer;
   }
 
-  proto::Accepted accept() override {
+  proto::Accepted accept(const proto::Accept&) override {
     ++accepts;
     velocities_ = tried_;
     return {{{"p", static_cast<double>(accepts)}, {"force_x:left", 4}, {"force_y:left", 6}}};
@@ -135,8 +135,11 @@ class FakeDem : public proto::DemParticipant {
     }
     return {.converged = true, .reason = "", .motions = tried_};
   }
-  proto::Accepted accept() override {
+  std::vector<std::uint32_t> left;  ///< in the order in which it was told
+
+  proto::Accepted accept(const proto::Accept& message) override {
     motions_ = tried_;
+    left.insert(left.end(), message.left.begin(), message.left.end());
     return {};
   }
   void restore() override { ++restores; }

@@ -53,12 +53,15 @@ struct RunTest : testing::Test {
   TemporaryFolder folder;
   Ledger ledger;
   FakeFluid fluid;
-  FakeDem dem = new_dem();
+  FakeDem dem;
 
-  static FakeDem new_dem() {
-    proto::Motion motion;
-    motion.position = {0, 3, 0};
-    return {1, gravity, {motion}};
+  /// Bodies that fall start from `places` [m].
+  explicit RunTest(const std::vector<proto::Vec3>& places = {{0, 3, 0}}) : dem(new_dem(places)) {}
+
+  static FakeDem new_dem(const std::vector<proto::Vec3>& places = {{0, 3, 0}}) {
+    std::vector<proto::Motion> motions;
+    for (std::uint32_t i = 0; i < places.size(); ++i) motions.push_back({.body = i, .position = places[i]});
+    return {1, gravity, motions};
   }
   CoupledRun make_run(const scene::Scene& scene) {
     return CoupledRun(scene, {scene.fluid ? &fluid : nullptr, scene.needs_dem() ? &dem : nullptr},

@@ -38,12 +38,15 @@ class Stages : public testing::Test {
     scene::Scene scene = scene::read_file(folder_ / "packing.toml");
     const std::string out = folder_ / "runs/packing";
     std::filesystem::create_directories(out);
-    std::vector<coupling::RigidMotion> motions(3);
+    CoupledState state;
+    state.motions.resize(3);
+    state.left.resize(3);
+    std::vector<coupling::RigidMotion>& motions = state.motions;
     motions[0].position = {1.25, 0.1, 0};
     motions[2].position = {0.5, 0.5, 0};
     motions[2].velocity = {3, 4, 0};
     motions[2].spin = {0, 0, 5};
-    write_final_bodies(scene, motions, out);
+    write_final_bodies(scene, state, out);
     Summary summary;
     summary.origin = {by_version, scene::fingerprint(scene)};
     summary.status = "completed";

@@ -57,7 +57,7 @@ TEST(DemService, restores_and_resumes_bitwise) {
   DemService service, resumed;
   service.configure({.scene = scene});
   service.advance({}, fall(0.1));
-  service.accept();
+  service.accept({});
   const proto::Bytes state = service.checkpoint().bytes;
   const proto::DemAdvanced first = service.advance({}, fall(0.3));
   service.restore();
@@ -85,12 +85,12 @@ TEST(DemService, ends_the_run_when_an_accepted_step_has_lost_a_body) {
   service.advance({}, fall(1));  // beyond the floor or not, it is tried only
   service.restore();
   service.advance({}, fall(0.1));
-  EXPECT_NO_THROW(service.accept());
+  EXPECT_NO_THROW(service.accept({}));
   proto::DemAdvance up = fall(0.9);
   up.loads = {{.body = 0, .force = {0, 1000, 0}}};
   service.advance({}, up);
   try {
-    service.accept();
+    service.accept({});
     FAIL() << "it is 500 m up";
   } catch (const Error& e) {
     EXPECT_NE(std::string(e.what()).find("a is lost"), std::string::npos) << e.what();

@@ -43,6 +43,30 @@ TEST(Solver, restore_is_bitwise) {
   EXPECT_TRUE(bitwise_equal(solver.motions(), accepted));
 }
 
+TEST(Solver, grains_pass_through_the_place_of_one_that_left_and_a_resumed_run_goes_on_bitwise_alike) {
+  Problem problem = box_of_discs();
+  Solver solver(problem);
+  for (int i = 0; i < 10; ++i) step(solver, 2e-3);
+  ASSERT_TRUE(solver.advance(2e-3, {}).converged);
+  solver.accept(std::vector<std::uint32_t>{2});
+  const std::vector<std::uint8_t> bytes = solver.checkpoint();
+  Solver resumed(problem);
+  resumed.resume(bytes);
+  EXPECT_EQ(resumed.checkpoint(), bytes);
+  const Vec3 where = solver.motions().position[2];
+  std::uint32_t touched = 0;
+  for (int i = 0; i < 60; ++i) {
+    step(solver, 2e-3);
+    step(resumed, 2e-3);
+    EXPECT_EQ(solver.contacts()[2], 0u);
+    for (std::uint32_t other = 3; other < 25; ++other)
+      if ((solver.motions().position[other] - where).norm() < solver.model().bodies.radius[2]) ++touched;
+  }
+  EXPECT_GT(touched, 0u) << "grains pass through the place where it was";
+  EXPECT_EQ(solver.motions().position[2], where);
+  EXPECT_TRUE(bitwise_equal(solver.motions(), resumed.motions()));
+}
+
 TEST(Solver, a_resumed_run_goes_on_bitwise_as_the_one_that_went_on) {
   Solver solver = settled_for(20);
   const std::vector<std::uint8_t> bytes = solver.checkpoint();
@@ -275,11 +299,28 @@ TEST(Solver, refuses_damaged_state) {
   EXPECT_NE(refused([&](auto& b) { put(b, 8, std::uint64_t{24}); }), "");
   EXPECT_NE(refused([&](auto& b) { put(b, 16, ~std::uint64_t{0}); }), "");
   EXPECT_NE(refused([&](auto& b) { put(b, 40, std::uint64_t{7}); }), "") << "loads";
-  EXPECT_NE(refused([&](auto& b) { put(b, 48, double{NAN}); }), "");
-  EXPECT_NE(refused([&](auto& b) { put(b, 64, 1.0); }), "") << "z of a disc";
-  EXPECT_NE(refused([&](auto& b) { put(b, 72, 2.0); }), "") << "w of a quaternion";
-  EXPECT_NE(refused([&](auto& b) { put(b, 48 + (25 * 13 + 3 * 10 + 7) * 8, std::uint32_t{900}); }), "")
+  EXPECT_NE(refused([&](auto& b) { put(b, 48, std::uint64_t{1}); }), "") << "a body that left";
+  EXPECT_NE(refused([&](auto& b) { put(b, 56, double{NAN}); }), "");
+  EXPECT_NE(refused([&](auto& b) { put(b, 72, 1.0); }), "") << "z of a disc";
+  EXPECT_NE(refused([&](auto& b) { put(b, 80, 2.0); }), "") << "w of a quaternion";
+  EXPECT_NE(refused([&](auto& b) { put(b, 56 + (25 * 13 + 3 * 10 + 7 + 5) * 8, std::uint32_t{900}); }), "")
       << "a contact";
+}
+
+TEST(Solver, a_body_leaves_once_and_must_be_free) {
+  Problem problem = box_of_discs();
+  problem.bodies[3].motion = "fixed";
+  Solver solver(problem);
+  const auto leave = [&](std::uint32_t body) {
+    return complaint([&] {
+      solver.advance(1e-4, {});
+      solver.accept(std::vector{body});
+    });
+  };
+  EXPECT_EQ(leave(5), "");
+  EXPECT_NE(leave(5).find("must be free and there; disc5"), std::string::npos);
+  EXPECT_NE(leave(3).find("must be free and there; disc3"), std::string::npos);
+  EXPECT_NE(leave(99).find("25 bodies"), std::string::npos);
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ TEST(Codec, refuses_what_breaks_a_rule) {
       {advance([](Interface& m) { m.points = 0xffffffff; }), "velocities must be"},
       {FluidAdvanced{.tractions = {{.values = {1, 2, 3}, .arc_length = 1}}},
        "values must be two numbers an arc"},
-      {FluidAdvanced{.tractions = {{.arc_length = 0}}}, "tractions[0].arc_length must be > 0 m"},
+      {FluidAdvanced{.tractions = {{.arc_length = -1}}}, "tractions[0].arc_length must be >= 0 m"},
       {FluidAdvance{.interfaces = {samples::arcs()}, .same_interfaces = true},
        "interfaces must be empty where same_interfaces is set; got 1"},
       {FluidAdvanced{.time_error = -1}, "time_error must be >= 0; got -1"},

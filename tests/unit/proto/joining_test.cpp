@@ -65,8 +65,8 @@ TEST(Joining, welcomes_a_participant_for_every_role) {
 
 TEST(Joining, refuses_another_protocol_version) {
   Hello hello = fluid_hello();
-  hello.protocol_version = 4;
-  EXPECT_EQ(refusal_of(hello), "protocol version 3 is required; other speaks 4: use programs of one release");
+  hello.protocol_version = 5;
+  EXPECT_EQ(refusal_of(hello), "protocol version 4 is required; other speaks 5: use programs of one release");
 }
 
 TEST(Joining, refuses_another_schema) {
@@ -102,9 +102,9 @@ TEST(Joining, refuses_a_request_before_hello) {
 
 TEST(Joining, refuses_garbage) {
   EXPECT_EQ(refusal_of({Bytes(50, 0x55)}),
-            "an intact message of protocol version 3 is required; got 50 B that are none");
+            "an intact message of protocol version 4 is required; got 50 B that are none");
   EXPECT_EQ(refusal_of({Bytes{}}),
-            "an intact message of protocol version 3 is required; got 0 B that are none");
+            "an intact message of protocol version 4 is required; got 0 B that are none");
   EXPECT_EQ(refusal_of({Bytes(1, 1), Bytes(1, 2), Bytes(1, 3)}), "a message has one frame; got 3");
 }
 

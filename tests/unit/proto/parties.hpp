@@ -20,7 +20,7 @@ class Fluid : public FluidParticipant {
   };
   Configured configure(const Configure& c) override { return {.notes = {c.scene}}; }
   FluidAdvanced advance(const Stamp& s, const FluidAdvance& a) override { return on_advance(s, a); }
-  Accepted accept() override { return {{{"accepted", 1}}}; }
+  Accepted accept(const Accept&) override { return {{{"accepted", 1}}}; }
   void restore() override { ++restored; }
   Figures report() override { return {{"restored", restored}}; }
   int restored = 0;
@@ -30,7 +30,7 @@ class Dem : public DemParticipant {
  public:
   Configured configure(const Configure&) override { return {}; }
   DemAdvanced advance(const Stamp&, const DemAdvance&) override { return {.converged = true}; }
-  Accepted accept() override { return {}; }
+  Accepted accept(const Accept&) override { return {}; }
   void restore() override {}
 };
 

@@ -66,7 +66,7 @@ std::vector<Envelope> all() {
       FluidAdvanced{true, "well", {traction, traction}, 4, 1e-9, 2e-4, 3},
       DemAdvance{0.3, 0.1, {load}, {motion(), motion()}, {0.01, 0.02}, {motion()}},
       DemAdvanced{true, "well", {motion()}, 50, {2}, 1e-6},
-      Accept{},
+      Accept{{3, 7}},
       Accepted{figures},
       Restore{},
       Restored{},

@@ -15,16 +15,17 @@ using test::material;
 using test::step;
 
 struct Account {
-  double kinetic, potential, elastic, damping, friction, turning, films, loads, walls, numerical;
+  double kinetic, potential, elastic, damping, friction, turning, films, left, loads, walls, numerical;
   double total() const {
-    return kinetic + potential + elastic + damping + friction + turning + films - loads - walls - numerical;
+    return kinetic + potential + elastic + damping + friction + turning + films + left - loads - walls -
+           numerical;
   }
 };
 
 Account account(const Solver& solver) {
-  const auto [kinetic, potential, elastic, damping, friction, turning, films, loads, walls, numerical] =
+  const auto [kinetic, potential, elastic, damping, friction, turning, films, left, loads, walls, numerical] =
       solver.energies().value();
-  return {kinetic, potential, elastic, damping, friction, turning, films, loads, walls, numerical};
+  return {kinetic, potential, elastic, damping, friction, turning, films, left, loads, walls, numerical};
 }
 
 Problem accounted(Problem problem) {
@@ -188,6 +189,22 @@ TEST(Energy, of_attractions_and_films_closes_and_comes_back_bitwise_from_a_check
   solver.advance(1e-2, {});
   solver.restore();
   EXPECT_EQ(solver.energies(), accepted);
+}
+
+TEST(Energy, goes_with_the_grains_that_leave_and_with_their_contacts) {
+  Solver solver(accounted(test::box_of_discs()));
+  const double start = account(solver).total();
+  for (int i = 0; i < 100; ++i) step(solver, 2e-3);
+  const Account before = account(solver);
+  ASSERT_TRUE(solver.advance(2e-3, {}).converged);
+  solver.accept(std::vector<std::uint32_t>{2, 7});
+  for (int i = 0; i < 20; ++i) step(solver, 2e-3);
+  const Account now = account(solver);
+  EXPECT_EQ(before.left, 0);
+  EXPECT_GT(now.left, 0);
+  EXPECT_NEAR(now.total(), start, 1e-12 * std::abs(start));
+  const double input = now.damping + now.friction;
+  EXPECT_NEAR(now.numerical, before.numerical, 1e-3 * input) << "no energy is made up";
 }
 
 TEST(Energy, is_not_accounted_for_unless_asked) {

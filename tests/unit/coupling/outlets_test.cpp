@@ -1,0 +1,136 @@
+/// Bodies that leave the scene while it runs: who, when, and what is left of them.
+#include "outlets.hpp"
+
+#include "groups.hpp"
+#include "run_case.hpp"
+
+namespace fpi {
+namespace {
+
+/// Two discs fall; the lower one is wholly below y = 1 some steps before the other.
+scene::Scene falling() {
+  scene::Scene scene = make_scene({disc("low", "free"), disc("high", "free")});
+  scene.bodies[1].position = {2, 4};
+  scene.outlets = {{.name = "elsewhere", .lower = {5, -9}, .upper = {9, 9}},
+                   {.name = "below", .lower = {-9, -9}, .upper = {9, 1}}};
+  scene.time.end = 3;
+  return scene;
+}
+
+struct Leaving : RunTest {
+  Leaving() : RunTest({{0, 3, 0}, {2, 4, 0}}) {}
+};
+
+TEST_F(Leaving, a_body_leaves_with_the_first_step_that_ends_with_all_of_it_in_an_outlet) {
+  const scene::Scene scene = falling();
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const output::Columns left = output::read_columns(folder / "left_bodies.csv");
+  ASSERT_EQ(left.at("body"), (std::vector<double>{0, 1}));
+  EXPECT_EQ(left.at("outlet"), (std::vector<double>{1, 1}));
+  EXPECT_LT(left.at("time")[0], left.at("time")[1]);
+  for (const std::size_t k : {0, 1}) {
+    EXPECT_LE(left.at("y")[k], 0.5);
+    EXPECT_GT(left.at("y")[k] - 0.1 * left.at("vy")[k], 0.5) << "it was not below a step before";
+  }
+  EXPECT_EQ(dem.left, (std::vector<std::uint32_t>{0, 1}));
+}
+
+TEST_F(Leaving, nothing_is_lost_of_mass_and_momentum) {
+  const scene::Scene scene = falling();
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const output::Columns left = output::read_columns(folder / "left_bodies.csv");
+  const output::Columns history = output::read_columns(folder / "history.csv");
+  EXPECT_EQ(history.at("below.count").back(), 2);
+  EXPECT_EQ(history.at("below.mass").back(), left.at("mass")[0] + left.at("mass")[1]);
+  EXPECT_EQ(history.at("below.momentum_y").back(),
+            left.at("mass")[0] * left.at("vy")[0] + left.at("mass")[1] * left.at("vy")[1]);
+  EXPECT_EQ(history.at("elsewhere.count").back(), 0);
+}
+
+TEST_F(Leaving, the_fluid_is_asked_no_more_about_a_body_that_left_and_the_others_go_on_alike) {
+  const scene::Scene scene = falling();
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_EQ(fluid.asked.front().interfaces.size(), 2u);
+  EXPECT_EQ(fluid.asked.back().interfaces.size(), 0u);
+  const auto alone = std::ranges::find(fluid.asked, 1u, [](const auto& m) { return m.interfaces.size(); });
+  ASSERT_NE(alone, fluid.asked.end());
+  EXPECT_EQ(alone->interfaces[0].body, 1u);
+  const output::Columns left = output::read_columns(folder / "left_bodies.csv");
+  double v = 0, y = 4;
+  for (double t = 0; t < left.at("time")[1] - 0.05; t += 0.1) {
+    const double before = v;
+    v = ((1 + 3) * v + 0.1 * (0.5 + gravity)) / (1 + 3 + 2 * 0.1);
+    y += 0.05 * (before + v);
+  }
+  EXPECT_NEAR(left.at("y")[1], y, 1e-4);
+}
+
+TEST_F(Leaving, a_body_that_left_has_no_place_in_the_results_and_rests) {
+  scene::Scene scene = falling();
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const output::H5File file = output::H5File::read(folder / "bodies.h5");
+  const std::vector<double> position = file.doubles("/position");
+  EXPECT_TRUE(std::isfinite(position[1])) << "there at first";
+  EXPECT_TRUE(std::isnan(position.back()));
+  const CoupledState& state = run.simulation().state();
+  EXPECT_TRUE(state.motions[0].velocity.isZero(0));
+  scene::Grains& group = scene.grains.emplace_back();
+  group.name = "grain";
+  group.count = 2;
+  EXPECT_EQ(group_motions(scene, state)[0].count, 0u);
+  EXPECT_TRUE(group_motions(scene, state)[0].position.hasNaN());
+}
+
+TEST_F(Leaving, a_resumed_run_knows_who_left) {
+  scene::Scene scene = falling();
+  scene.output.checkpoint_every = 7;  // between the two departures, and after both
+  std::vector<std::string> histories;
+  {
+    CoupledRun run = make_run(scene);
+    run.start({});
+    run.march();
+    histories.push_back(read_text_file(folder / "history.csv") + read_text_file(folder / "left_bodies.csv"));
+  }
+  const Checkpoint checkpoint = read_checkpoint(folder.path(), scene::fingerprint(scene));
+  CoupledRun resumed = make_run(scene);
+  resumed.resume({}, checkpoint);
+  resumed.march();
+  histories.push_back(read_text_file(folder / "history.csv") + read_text_file(folder / "left_bodies.csv"));
+  EXPECT_EQ(histories[0], histories[1]);
+}
+
+TEST(Outlets, a_disc_leaves_as_a_whole_a_held_one_never) {
+  const scene::Scene scene = [] {
+    scene::Scene s = make_scene({disc("free", "free"), disc("held", "fixed")});
+    s.outlets = {{.name = "out", .lower = {0, 0}, .upper = {1, 2}}};
+    s.periodic.y = {0, 10};
+    return s;
+  }();
+  CoupledState state;
+  state.motions.resize(2);
+  state.left.resize(2);
+  const auto leaves_at = [&](double x, double y) {
+    for (coupling::RigidMotion& motion : state.motions) motion.position = {x, y, 0};
+    const auto found = departures(scene, state);
+    EXPECT_TRUE(found.empty() || (found.size() == 1 && found[0].body == 0));
+    return !found.empty();
+  };
+  EXPECT_TRUE(leaves_at(0.5, 1));
+  EXPECT_TRUE(leaves_at(0.5, 21)) << "as it is seen in the periodic box";
+  EXPECT_FALSE(leaves_at(0.51, 1)) << "a bit of it sticks out";
+  EXPECT_TRUE(is_at_outlet(scene, scene.bodies[0], {-0.4, 1, 0}));
+  EXPECT_FALSE(is_at_outlet(scene, scene.bodies[0], {-0.6, 1, 0}));
+  state.left[0] = true;
+  EXPECT_FALSE(leaves_at(0.5, 1)) << "it left before";
+}
+
+}  // namespace
+}  // namespace fpi
