@@ -28,7 +28,7 @@ def figure(run: Path, scene: results.Scene):
     whole, (along, speeds, drags) = plt.subplots(1, 3, figsize=(13, 3.8))
     place = next(iter(sections))
     along.plot(sections[place], sections["pressure"], "o-", markersize=3, label="mean pressure")
-    along.set(xlabel=f"{place} [m]", ylabel=f"{scene.pressure_label()}, mean of the section")
+    along.set(xlabel=f"{place} [m]", ylabel=f"{scene.pressure_label}, mean of the section")
     porosity = along.twinx()
     porosity.plot(sections[place], sections["porosity"], color="0.6", linewidth=1)
     porosity.set(ylabel="porosity (grey)", ylim=(0, 1.05))

@@ -38,7 +38,7 @@ def draw(run: Path, movie: bool = False) -> list[Path]:
             save(surface.pressure(fields, scene), "pressure_surface.png")
             save(streams.whole(fields, bodies, scene), "streamlines.png")
             found = obstacles.find(fields, bodies, boundaries, fields.time(len(fields) - 1))
-            if found:
+            if found and len(found) <= charts.MOST_NAMES:
                 save(streams.close_ups(fields, bodies, found, scene), "close_up.png")
         figure = tractions.on_obstacles(on_bodies, boundaries, fields, bodies, scene,
                                          on_bodies.time if on_bodies else time)

@@ -75,6 +75,12 @@ class Plot(unittest.TestCase):
             (self.run_folder / name).unlink()
         self.assertEqual([path.name for path in plot.draw(self.run_folder)], ["history.png"])
 
+    def test_what_percolates_has_its_picture(self):
+        (self.run_folder / "sections.csv").write_text("x,porosity,pressure,superficial_velocity\n0.5,1,2,0.1\n1.5,0.6,1,0.1\n")
+        (self.run_folder / "velocities.csv").write_text("from,to,share\n-0.1,0,0.2\n0,0.3,0.8\n")
+        (self.run_folder / "grains.csv").write_text("body,x,y,radius,drag,lift,torque\n0,1,0.5,0.2,3,0,0\n")
+        self.assertEqual([path.name for path in plot.draw(self.run_folder)], ["percolation.png"])
+
     def test_an_empty_or_missing_folder_is_refused(self):
         for folder, word in ((self.run_folder, "no results to draw"), (self.run_folder / "none", "there is no")):
             with self.assertRaises(Refusal) as refused:
