@@ -24,6 +24,8 @@ void put_numbers(const CoupledState& state, NumbersByName& numbers) {
   }
   put("contacts", state.contacts);
   put("left", state.left);
+  put("onset", state.onset ? std::vector{state.onset->time, static_cast<double>(state.onset->body)}
+                           : std::vector<double>{});
   for (const Departed& departed : state.departed) {
     put("departed", std::array{departed.count, departed.mass});
     put("departed_momentum", departed.momentum);
@@ -43,6 +45,8 @@ void take_numbers(const NumbersByName& numbers, CoupledState& state) {
   }
   const std::vector<double>& contacts = numbers.at("contacts");
   state.contacts.assign(contacts.begin(), contacts.end());
+  if (const std::vector<double>& onset = numbers.at("onset"); !onset.empty())
+    state.onset = {.time = onset[0], .body = static_cast<std::size_t>(onset[1])};
   const std::vector<double>& left = numbers.at("left");
   state.left.assign(left.begin(), left.end());
   for (std::size_t i = 0; i < state.departed.size(); ++i) {

@@ -10,6 +10,7 @@
 #include "coupling/rigid_dofs.hpp"
 #include "coupling/staggered_iteration.hpp"
 #include "coupling/time_window.hpp"
+#include "onset.hpp"
 #include "proto/messages.hpp"
 
 namespace fpi {
@@ -34,6 +35,7 @@ struct CoupledState {
   std::vector<std::uint32_t> contacts;  ///< of each body; empty where the DEM does not say
   std::vector<bool> left;               ///< of each body: it is no longer there (outlets.hpp)
   std::vector<Departed> departed;       ///< through each outlet
+  std::optional<Onset> onset;           ///< of motion
 
   bool is_there(std::size_t body) const { return !left[body]; }
 };

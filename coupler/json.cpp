@@ -54,6 +54,13 @@ Json groups(const Summary& summary) {
   return list;
 }
 
+/// Null where nothing has moved far enough, or nobody asked.
+Json onset(const Summary& summary) {
+  if (summary.onset_body.empty()) return {};
+  return {
+      {"time", summary.bodies.onset->time}, {"body", summary.onset_body}, {"drives", summary.onset_drives}};
+}
+
 Json outlets(const Summary& summary) {
   Json list = Json::array();
   for (std::size_t i = 0; i < summary.outlet_names.size(); ++i) {
@@ -248,6 +255,7 @@ std::string to_json(const Summary& s) {
               {"bodies", bodies(s)},
               {"grains", groups(s)},
               {"outlets", outlets(s)},
+              {"onset", onset(s)},
               {"boundaries", boundaries(s)},
               {"drives", s.drives},
               {"force_balance", force_balance(s)},

@@ -29,6 +29,8 @@ struct Summary {
   std::vector<std::string> body_names;
   CoupledState bodies;
   std::vector<GroupMotion> groups;
+  std::string onset_body;                      ///< that moved first, or ""
+  std::map<std::string, double> onset_drives;  ///< that moved it
   std::vector<std::string> outlet_names;
   std::vector<std::string> boundary_names;
   std::vector<BoundaryLoad> boundaries;

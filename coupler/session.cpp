@@ -210,6 +210,10 @@ class Session {
     summary_.bodies = run_->simulation().state();
     for (std::size_t i = 0; i < scene_.n_listed(); ++i) summary_.body_names.push_back(scene_.bodies[i].name);
     for (const scene::Outlet& outlet : scene_.outlets) summary_.outlet_names.push_back(outlet.name);
+    if (const std::optional<Onset>& onset = summary_.bodies.onset) {
+      summary_.onset_body = scene_.bodies[onset->body].name;
+      summary_.onset_drives = drives_at(*onset, scene_, options_.folder);
+    }
     summary_.groups = group_motions(scene_, summary_.bodies);
     const Reported& last = run_->last_reported();
     for (std::size_t i = 0; i < last.probes.size(); ++i)

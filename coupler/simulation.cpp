@@ -159,6 +159,7 @@ void Simulation::begin_trial(double start, double end, double time_step) {
   trial_.state.contacts = accepted_.contacts;
   trial_.state.left = accepted_.left;
   trial_.state.departed = accepted_.departed;
+  trial_.state.onset = accepted_.onset;
   trial_.added = scene_.fluid && scene_.coupling.response != "none"
                      ? coupling::added_inertia(dofs_, *scene_.fluid, scene_.hydraulic_radius_ratio, time_step)
                      : Eigen::VectorXd::Zero(dofs_.size());
@@ -219,6 +220,7 @@ coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t 
 }
 
 void Simulation::accept() {
+  if (!trial_.state.onset) trial_.state.onset = find_onset(scene_, trial_.state.motions, trial_.end);
   departures_ = fpi::departures(scene_, trial_.state);
   take_out(departures_, trial_.state);
   solvers_.accept(trial_.state, departures_);

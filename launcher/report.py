@@ -75,6 +75,10 @@ def rows(summary: dict) -> list[tuple[str, str]]:
                             f"{vector(one['velocity'])} m/s, kinetic energy {one['kinetic_energy']:.4g} J"
                             if one["count"] else "no grain is left")
               for one in summary.get("grains", [])]
+    if summary.get("onset"):
+        onset = summary["onset"]
+        lines.append(("onset of motion", f"{onset['body']} at t = {onset['time']:.5g} s, " + ", ".join(
+            f"{name} {value:.5g}" for name, value in onset["drives"].items() if value is not None)))
     lines += [(f"left {one['name']}", f"{one['count']} bodies of {one['mass']:.6g} kg with a momentum of "
                                       f"{vector(one['momentum'])} kg m/s")
               for one in summary.get("outlets", [])]

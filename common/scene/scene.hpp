@@ -76,6 +76,7 @@ struct Output {
   bool fields = true;
   std::int64_t checkpoint_every = 0;
   std::optional<double> measure_from;  ///< [s]
+  double onset = 0;                    ///< of the diameter
 
   void declare(ParameterVisitor& v) {
     v.real({"interval", "s", "time between written fields; 0: the first and the last only"}, interval,
@@ -88,6 +89,11 @@ struct Output {
          "extrema, means and frequencies of coefficients and probes are those from this time on; none: the "
          "second half of the run"},
         measure_from, not_negative());
+    v.real(
+        {"onset", "",
+         "way of a free body, over its diameter, that counts as the onset of motion: when the first one has "
+         "gone as far, and what drove the flow then, is told in summary.json; 0: not looked for"},
+        onset, not_negative());
   }
 };
 

@@ -13,7 +13,8 @@ from harness import DRUM_SCENE, EXIT_SCENE, SETTLING_SCENE, CoupledRun, channel_
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
 KEYS = {"status", "reason", "steps", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
         "wall_seconds", "peak_memory_bytes", "bodies", "boundaries", "coefficients", "probes", "signals", "profiles",
-        "errors", "counts", "grains", "coupling", "outlets", "version", "scene_fingerprint"}
+        "errors", "counts", "grains", "coupling", "outlets", "onset", "version", "scene_fingerprint", "percolation",
+        "force_balance", "drives"}
 SECONDS = {"total", "mesh", "assembly", "factor", "solve", "interface", "dem", "coupling", "output"}
 
 

@@ -107,6 +107,27 @@ TEST_F(Leaving, a_resumed_run_knows_who_left) {
   EXPECT_EQ(histories[0], histories[1]);
 }
 
+TEST_F(Leaving, the_onset_of_motion_has_its_time_its_body_and_what_drove_it) {
+  scene::Scene scene = falling();
+  scene.probes = {{.name = "p", .point = {0, 0}, .minus = {}}};
+  scene.bodies[0].motion = "fixed";
+  scene.output.onset = 0.5;  // of a diameter of 1 m
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  const output::Columns history = output::read_columns(folder / "history.csv");
+  const std::vector<double>& y = history.at("high.y");
+  const auto first = std::ranges::find_if(y, [](double height) { return height < 3.5; }) - y.begin();
+  const auto& onset = run.simulation().state().onset;
+  ASSERT_TRUE(onset);
+  EXPECT_EQ(onset->body, 1u);
+  EXPECT_EQ(onset->time, history.at("time")[static_cast<std::size_t>(first)]);
+  EXPECT_EQ(drives_at(*onset, scene, folder.path()),
+            (std::map<std::string, double>{{"p", history.at("p")[static_cast<std::size_t>(first)]}}));
+  scene.output.onset = 0;
+  EXPECT_FALSE(find_onset(scene, run.simulation().state().motions, 1)) << "nobody asked";
+}
+
 TEST(Outlets, a_disc_leaves_as_a_whole_a_held_one_never) {
   const scene::Scene scene = [] {
     scene::Scene s = make_scene({disc("free", "free"), disc("held", "fixed")});
