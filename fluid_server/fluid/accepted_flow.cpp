@@ -61,7 +61,7 @@ std::vector<SpeedBin> NavierStokes::speed_histogram(int axis, int n) const {
   return fluid::speed_histogram(*accepted_system_, accepted_.u, axis, n);
 }
 
-std::size_t NavierStokes::n_closed_pores() const {
+std::size_t NavierStokes::n_closed_parts() const {
   return accepted_system_ ? accepted_system_->numbering().pinned.size() : 0;
 }
 

@@ -2,9 +2,30 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/error.hpp"
 #include "fluid/system.hpp"
 
 namespace fpi::fluid {
+namespace {
+
+/// Throws Error where what comes in through a boundary has no way to another open one: no pressure drives it.
+void require_way_out(const Space& space, const Components& components, Index inlet) {
+  std::vector<std::uint8_t> enters(components.n(), 0), leaves = enters;
+  for (std::size_t b = 0; b < space.mesh.boundary.size(); ++b) {
+    const Index side = space.mesh.boundary[b].boundary, part = components.of_boundary[b];
+    if (part >= 0 && space.boundary.is_open(side)) (side == inlet ? enters : leaves)[part] = 1;
+  }
+  for (Index part = 0; part < components.n(); ++part)
+    if (enters[part] != 0 && leaves[part] != 0) return;
+  const std::string& name = space.mesh.boundary_names[inlet];
+  fail(
+      "the flow_rate of the boundary \"{}\" needs a way to another boundary of type = \"traction\"; there is "
+      "none: "
+      "open one, or leave a way between the bodies (hydraulic_radius_ratio)",
+      name);
+}
+
+}  // namespace
 
 void System::set_load(double t, const BodyForce& body_force) {
   drives_.set_time(t);
@@ -60,9 +81,10 @@ Drives System::make_drives(const scene::Fluid& parameters) const {
     drive.boundary = name;
     drive.given = Expression(*boundary.flow_rate);
     unit_load(drive);
-    const auto part = std::ranges::find(mesh.boundary_names, name) - mesh.boundary_names.begin();
-    space_.boundary.add_pressure(static_cast<Index>(part), {outlines(cut_.images), components_.of_boundary},
-                                 drive.load);
+    const auto found = std::ranges::find(mesh.boundary_names, name);
+    const auto part = static_cast<Index>(found - mesh.boundary_names.begin());
+    require_way_out(space_, components_, part);
+    space_.boundary.add_pressure(part, {outlines(cut_.images), components_.of_boundary}, drive.load);
   }
   return Drives(std::move(drives));
 }

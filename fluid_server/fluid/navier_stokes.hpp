@@ -92,7 +92,7 @@ class NavierStokes {
   /// At vanishing Reynolds number, see fluid/percolation.hpp; factors the Stokes equations.
   Eigen::Matrix2d permeability();
   /// Parts of the fluid that no open boundary gives a pressure level.
-  std::size_t n_closed_pores() const;
+  std::size_t n_closed_parts() const;
   /// Of the accepted flow.
   std::vector<BodyTraction> body_tractions() const { return accepted_tractions_; }
   /// Of the accepted state.

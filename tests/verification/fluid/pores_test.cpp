@@ -227,5 +227,23 @@ TEST(Pores, a_flow_rate_into_a_blocked_channel_is_refused) {
   }
 }
 
+TEST(Pores, a_flow_rate_whose_pressure_is_to_be_found_needs_a_way_out) {
+  scene::Boundary inlet = open();
+  inlet.flow_rate = "0.1";
+  NavierStokes blocked(square(40), stokes(channel(inlet)));
+  auto walls = box();
+  walls["left"] = inlet;
+  NavierStokes closed(square(10), stokes(walls));
+  for (const auto& [solver, discs] :
+       {std::pair{&blocked, chain(blocked)}, {&closed, std::vector<Interface>{}}})
+    try {
+      solve_steady(*solver, discs);
+      ADD_FAILURE() << "no error";
+    } catch (const Error& e) {
+      const std::string what = e.what();
+      EXPECT_NE(what.find("\"left\" needs a way to another boundary"), std::string::npos) << what;
+    }
+}
+
 }  // namespace
 }  // namespace fpi::fluid

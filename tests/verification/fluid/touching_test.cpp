@@ -82,7 +82,7 @@ std::vector<Drive> drives() {
 /// `ratio` of the radius that the fluid sees. A flow is forced through open packings only.
 void expect_none_fails(double ratio, bool lets_through) {
   double worst_balance = 0, least = 1e300, most = 0;
-  std::size_t most_pores = 0;
+  std::size_t most_parts = 0;
   for (unsigned seed = 1; seed <= 50; ++seed) {
     const std::vector<Disc> grains = touching_packing(seed);
     for (Drive& drive : drives()) {
@@ -96,7 +96,7 @@ void expect_none_fails(double ratio, bool lets_through) {
       const ForceBalance balance = *solver.force_balance();
       EXPECT_LT(balance.relative(), 1e-8) << drive.name << ", seed " << seed;
       worst_balance = std::max(worst_balance, balance.relative());
-      most_pores = std::max(most_pores, solver.n_closed_pores());
+      most_parts = std::max(most_parts, solver.n_closed_parts());
       const double k = solver.superficial_velocity().x() / *solver.pressure_fall(0);
       if (lets_through) EXPECT_GT(k, 0) << drive.name << ", seed " << seed;
       least = std::min(least, k);
@@ -104,9 +104,9 @@ void expect_none_fails(double ratio, bool lets_through) {
     }
   }
   std::cout << fmt::format(
-      "hydraulic radius ratio {}: permeability {:.3g} to {:.3g} m², up to {} closed pores, forces balance to "
+      "hydraulic radius ratio {}: permeability {:.3g} to {:.3g} m², up to {} closed parts, forces balance to "
       "{:.1e}\n",
-      ratio, least, most, most_pores, worst_balance);
+      ratio, least, most, most_parts, worst_balance);
 }
 
 TEST(TouchingPackings, that_close_their_pores_are_solved_in_every_way_to_drive_them) {
