@@ -238,6 +238,8 @@ def do_plot(arguments) -> int:
     pictures = plot.draw(arguments.run, arguments.movie)
     for picture in pictures:
         print(picture)
+    if any(picture.suffix == ".gif" for picture in pictures):
+        print("The movie is a GIF: for an MP4 install ffmpeg (sudo apt-get install ffmpeg) and draw again.")
     return 0
 
 

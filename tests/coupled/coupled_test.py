@@ -199,6 +199,11 @@ class Coupled(unittest.TestCase):
         for name, content in whole.items():
             self.assertEqual((run.out / name).read_bytes(), content, name)
 
+    def test_a_disc_that_leaves_the_mesh_through_no_outlet_ends_the_run_with_its_name(self):
+        with CoupledRun(self.folder, EXIT_SCENE.split("[[outlets]]")[0]) as run:
+            self.assertEqual(run.wait(), 1)
+        self.assertRegex(run.summary["reason"], r'body "disc.1" must stay in the mesh, or leave through one of \[\[outlets')
+
     def test_grains_in_a_drum_that_turns_resume_to_the_same_bits(self):
         with CoupledRun(self.folder, DRUM_SCENE) as run:
             self.assertEqual(run.wait(), 0, run.log())

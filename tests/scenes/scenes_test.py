@@ -5,6 +5,7 @@ import csv
 import json
 import math
 import shutil
+import statistics
 import subprocess
 import tempfile
 import unittest
@@ -49,6 +50,26 @@ class Scenes(unittest.TestCase):
         grains = self.run_scene("percolation_packing")["grains"][0]
         self.assertEqual(grains["count"], 200)
         self.assertLess(grains["kinetic_energy"], 1e-9)
+
+    def test_percolation_bed(self):
+        """Fluidised, the bed's buoyant weight is what the flow exerts on the sole, whatever the flow."""
+        self.run_scene("percolation_bed", "time.end=0.46", "output.fields=false")
+        with (self.run_folder / "final_bodies.csv").open(newline="") as file:
+            radii = [float(row["radius"]) for row in csv.DictReader(file)]
+        weight = sum(math.pi * radius**2 * 1e-3 * (1500 - 0.64 * 1000) * 9.81 for radius in radii)
+        history = self.history()
+        carried = [-force for time, force in zip(history["time"], history["bottom.fy"]) if time > 0.4]
+        self.assert_near(statistics.fmean(carried), weight, 1e-2)
+
+    def test_percolation_slot(self):
+        summary = self.run_scene("percolation_slot", "time.end=0.7", "output.fields=false")
+        with (self.run_folder / "left_bodies.csv").open(newline="") as file:
+            left = list(csv.DictReader(file))
+        (outlet,) = summary["outlets"]
+        self.assertGreaterEqual(outlet["count"], 5)
+        self.assertEqual(outlet["count"], len(left))
+        self.assertEqual(outlet["count"] + summary["grains"][2]["count"], 36)
+        self.assertEqual(outlet["mass"], sum((float(row["mass"]) for row in left), 0.0))
 
     def assert_near(self, value: float, expected: float, relative: float):
         self.assertLessEqual(abs(value - expected), relative * abs(expected), f"{value} against {expected}")
