@@ -62,6 +62,9 @@ struct Trial {
   CoupledState state;            ///< at its end, as far as the solvers answered
   Eigen::VectorXd added;         ///< inertia that the fluid adds to each unknown
   Eigen::VectorXd force_of_dem;  ///< mean over the step on each unknown [N], [N m]
+  /// How these go with the unknowns at the end of the step, as the fluid says [kg/s, kg m/s, kg m²/s];
+  /// without entries where it does not.
+  Eigen::MatrixXd resistance;
   Attempt report;
 };
 

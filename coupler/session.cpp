@@ -152,7 +152,8 @@ class Session {
     const Participants participants{.fluid = fluid_ ? &*fluid_ : nullptr,
                                     .dem = dem_ ? &*dem_ : nullptr,
                                     .fluid_moves_bodies = offered_.contains("balance"),
-                                    .dem_takes_added_inertia = offered_.contains("added_inertia")};
+                                    .dem_takes_added_inertia = offered_.contains("added_inertia"),
+                                    .dem_takes_resistance = offered_.contains("resistance")};
     run_ = std::make_unique<Run>(scene_, participants, options_.folder, number_, ledger_);
     run_->on_progress = ProgressPrinter();
   }

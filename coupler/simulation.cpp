@@ -79,8 +79,11 @@ void Simulation::float_in_still_fluid() {
 
 Attempt Simulation::attempt(double start, double end, double time_step) {
   begin_trial(start, end, time_step);
-  place_bodies(start, predictor_.guess(step_start()));
-  iterate(fluid_moves_bodies_ ? iterate_of(force_of_dem_) : dofs_.velocities(trial_.placed));
+  Eigen::VectorXd velocities = predictor_.guess(step_start()), force_of_dem = force_of_dem_;
+  if (fluid_moves_bodies_ && solvers_.dem_takes_added_inertia() && time_step > 0)
+    foresee_contacts(start, velocities, force_of_dem);
+  place_bodies(start, velocities);
+  iterate(fluid_moves_bodies_ ? iterate_of(force_of_dem) : velocities);
   while (is_badly_placed()) {
     ++trial_.report.recuts;
     const Eigen::VectorXd found = dofs_.velocities(trial_.state.motions);
@@ -88,6 +91,48 @@ Attempt Simulation::attempt(double start, double end, double time_step) {
     iterate(fluid_moves_bodies_ ? iterate_of(trial_.force_of_dem) : found);
   }
   return trial_.report;
+}
+
+/// What the DEM makes of the predicted velocities, with the fluid's resistance of the last step: contacts
+/// that will open or close change the prediction before the fluid, which costs far more, is asked at all.
+void Simulation::foresee_contacts(double start, Eigen::VectorXd& velocities, Eigen::VectorXd& force_of_dem) {
+  place_bodies(start, velocities);
+  const Eigen::VectorXd gained = velocities - dofs_.velocities(accepted_.motions);
+  dofs_.set_loads(dofs_.inertia().cwiseProduct(gained) / trial_.time_step - force_of_dem, trial_.state.loads);
+  trial_.resistance = resistance_impulse_ / trial_.time_step;
+  const proto::Stamp stamp{.run = run_, .step = steps_ + 1, .sub_iteration = 0};
+  if (solvers_.advance_dem(stamp, trial_).empty()) {
+    const Eigen::VectorXd foreseen = dofs_.velocities(trial_.state.motions);
+    force_of_dem += missing_force(foreseen - velocities);
+    velocities = foreseen;
+  }
+  trial_.resistance.resize(0, 0);
+  trial_.state.motions = accepted_.motions;
+  trial_.state.loads = accepted_.loads;
+  trial_.state.contacts = accepted_.contacts;
+}
+
+/// Whether in the last step contacts or films, not weights alone, were what the DEM added: then it is worth
+/// knowing how the fluid resists all bodies together.
+bool Simulation::bodies_act() const {
+  if (!fluid_moves_bodies_ || !solvers_.dem_takes_resistance()) return false;
+  const Eigen::VectorXd scale = dofs_.lever().cwiseInverse(), weight = weights(dofs_, scene_.gravity);
+  const double acting = of_bodies_there(force_of_dem_ - weight, accepted_).cwiseProduct(scale).norm();
+  const double all = std::max(weight.norm(), dofs_.loads(accepted_.loads).cwiseProduct(scale).norm());
+  return acting > std::max(scene_.coupling.relative_tolerance * all, scene_.coupling.absolute_force);
+}
+
+/// Zero where a body has left.
+Eigen::VectorXd Simulation::of_bodies_there(Eigen::VectorXd unknowns, const CoupledState& state) const {
+  for (std::size_t k = 0; k < dofs_.bodies().size(); ++k)
+    if (!state.is_there(dofs_.bodies()[k])) unknowns.segment<3>(3 * static_cast<Eigen::Index>(k)).setZero();
+  return unknowns;
+}
+
+/// What the DEM exerts more than the fluid was told, as its bodies end that much faster.
+Eigen::VectorXd Simulation::missing_force(const Eigen::VectorXd& residual) const {
+  if (trial_.resistance.size() > 0) return trial_.resistance * residual;
+  return inertia_.cwiseProduct(residual) / trial_.time_step;
 }
 
 bool Simulation::is_badly_placed() const {
@@ -206,12 +251,15 @@ coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t 
   else
     dofs_.set_velocities(x, trial_.placed);
   coupling::Exchange answer;
-  answer.reason = solvers_.advance_fluid(stamp, accepted_, trial_);
+  answer.reason = solvers_.advance_fluid(stamp, accepted_, sub_iteration == 0 && bodies_act(), trial_);
   if (answer.reason.empty()) answer.reason = solvers_.advance_dem(stamp, trial_);
   answer.converged = answer.reason.empty();
   answer.velocities = dofs_.velocities(trial_.state.motions);
   answer.forces = dofs_.loads(trial_.state.loads);
   answer.residual = answer.velocities - dofs_.velocities(trial_.placed);
+  answer.is_newton = trial_.resistance.size() > 0;
+  if (answer.is_newton)
+    answer.residual = trial_.time_step * missing_force(answer.residual).cwiseQuotient(inertia_);
   if (!solvers_.dem_takes_added_inertia())
     answer.residual.array() *= dofs_.inertia().array() / inertia_.array();
   if (fluid_moves_bodies_) trial_.force_of_dem += inertia_.cwiseProduct(answer.residual) / trial_.time_step;
@@ -227,10 +275,8 @@ void Simulation::accept() {
   predictor_.accept(dofs_.velocities(trial_.state.motions));
   iteration_.accept();
   forget_changed_bodies();
-  if (fluid_moves_bodies_) force_of_dem_ = trial_.force_of_dem;
-  for (std::size_t k = 0; k < dofs_.bodies().size(); ++k)
-    if (trial_.state.left[dofs_.bodies()[k]])
-      force_of_dem_.segment<3>(3 * static_cast<Eigen::Index>(k)).setZero();
+  if (fluid_moves_bodies_) force_of_dem_ = of_bodies_there(trial_.force_of_dem, trial_.state);
+  resistance_impulse_ = trial_.time_step * trial_.resistance;
   accepted_ = std::move(trial_.state);
   ++steps_;
 }
@@ -262,6 +308,8 @@ NumbersByName Simulation::numbers() const {
   numbers["predictor"] = predictor_.state();
   numbers["acceleration"] = iteration_.state();
   numbers["force_of_dem"] = {force_of_dem_.begin(), force_of_dem_.end()};
+  const auto resistance = resistance_impulse_.reshaped();
+  numbers["resistance_impulse"] = {resistance.begin(), resistance.end()};
   put_numbers(accepted_, numbers);
   return numbers;
 }
@@ -272,6 +320,9 @@ void Simulation::set_numbers(const NumbersByName& numbers) {
   iteration_.set_state(numbers.at("acceleration"));
   const std::vector<double>& force = numbers.at("force_of_dem");
   force_of_dem_ = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<Eigen::Index>(force.size()));
+  const std::vector<double>& resistance = numbers.at("resistance_impulse");
+  const Eigen::Index n = resistance.empty() ? 0 : dofs_.size();
+  resistance_impulse_ = Eigen::Map<const Eigen::MatrixXd>(resistance.data(), n, n);
   solvers_.set_arc_lengths(numbers.at("arc_lengths"));
   take_numbers(numbers, accepted_);
 }

@@ -56,6 +56,10 @@ class Simulation {
   void begin_trial(double start, double end, double time_step);
   void place_bodies(double start, const Eigen::VectorXd& predicted);
   coupling::Arcs outline(std::size_t body, const coupling::RigidMotion& placed) const;
+  void foresee_contacts(double start, Eigen::VectorXd& velocities, Eigen::VectorXd& force_of_dem);
+  bool bodies_act() const;
+  Eigen::VectorXd of_bodies_there(Eigen::VectorXd unknowns, const CoupledState& state) const;
+  Eigen::VectorXd missing_force(const Eigen::VectorXd& residual) const;
   void iterate(const Eigen::VectorXd& first);
   bool is_badly_placed() const;
   void measure_ways();
@@ -76,6 +80,8 @@ class Simulation {
   std::vector<std::optional<coupling::PrescribedMotion>> prescribed_;  ///< of bodies that are not free
   std::vector<coupling::PrescribedMotion> moving_walls_;
 
+  Eigen::MatrixXd
+      resistance_impulse_;  ///< resistance times Δt of the last step that knew it, or without entries
   std::uint64_t steps_ = 0;
   CoupledState accepted_;
   std::vector<Departure> departures_;

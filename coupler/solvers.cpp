@@ -99,9 +99,13 @@ void Solvers::warn_where_coarse(std::size_t body) {
       scene_.bodies[body].name, found, asked);
 }
 
-std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState& before, Trial& trial) {
+std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState& before,
+                                   bool wants_resistance, Trial& trial) {
   if (!participants_.fluid) return "";
-  proto::FluidAdvance message{.time = trial.end, .time_step = trial.time_step, .interfaces = {}};
+  proto::FluidAdvance message{.time = trial.end,
+                              .time_step = trial.time_step,
+                              .interfaces = {},
+                              .wants_resistance = wants_resistance};
   for (std::uint32_t i = 0; i < trial.placed.size(); ++i)
     if (before.is_there(i)) message.interfaces.push_back(to_wire(i, trial.state.arcs[i], trial.placed[i]));
   if (fluid_moves_bodies_) add_balances(before, trial, message.interfaces);
@@ -110,6 +114,7 @@ std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState
   trial.report.time_error = {.value = answer.time_error, .order = answer.time_error_order};
   if (!answer.converged) return "the fluid did not converge: " + answer.reason;
   take_tractions(std::move(answer.tractions), trial);
+  if (wants_resistance) take_resistance(answer.resistance, trial);
   return "";
 }
 
@@ -131,6 +136,28 @@ void Solvers::add_balances(const CoupledState& before, const Trial& trial,
                           .force = {force[0], force[1], 0},
                           .torque = {0, 0, force[2]}};
   }
+}
+
+void Solvers::take_resistance(std::span<const double> by_rows, Trial& trial) const {
+  if (by_rows.empty()) return;
+  const std::vector<Eigen::Index> unknowns = unknowns_there(trial.state);
+  const auto n = static_cast<Eigen::Index>(unknowns.size());
+  require(by_rows.size() == static_cast<std::size_t>(n * n),
+          "the fluid must answer with a resistance of {0} rows and columns, or with none; got {1} numbers", n,
+          by_rows.size());
+  trial.resistance = Eigen::MatrixXd::Zero(dofs_.size(), dofs_.size());
+  trial.resistance(unknowns, unknowns) = Eigen::Map<const Eigen::MatrixXd>(by_rows.data(), n, n).transpose();
+}
+
+/// Those of free bodies that have not left.
+std::vector<Eigen::Index> Solvers::unknowns_there(const CoupledState& state) const {
+  std::vector<Eigen::Index> unknowns;
+  for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
+    if (!state.is_there(dofs_.bodies()[k])) continue;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      unknowns.push_back(3 * static_cast<Eigen::Index>(k) + axis);
+  }
+  return unknowns;
 }
 
 void Solvers::take_tractions(std::vector<proto::Traction> tractions, Trial& trial) const {
@@ -172,7 +199,8 @@ proto::DemAdvance Solvers::message_to_dem(const Trial& trial) const {
                             .loads = {},
                             .prescribed = {},
                             .resolved_gaps = {},
-                            .walls = {}};
+                            .walls = {},
+                            .resistance = {}};
   for (std::size_t i = 0; i < moving_walls_.size(); ++i)
     message.walls.push_back(to_wire(moving_walls_[i], trial.state.walls[i]));
   for (std::uint32_t i = 0; i < trial.placed.size(); ++i)
@@ -180,6 +208,11 @@ proto::DemAdvance Solvers::message_to_dem(const Trial& trial) const {
   if (!participants_.fluid) return message;
   message.loads = loads_on_free_bodies(trial);
   for (const double length : arc_lengths_) message.resolved_gaps.push_back(resolved_gap_ratio_ * length);
+  if (trial.resistance.size() == 0) return message;
+  const std::vector<Eigen::Index> unknowns = unknowns_there(trial.state);
+  const Eigen::MatrixXd there = trial.resistance(unknowns, unknowns);
+  const auto by_rows = there.reshaped<Eigen::RowMajor>();
+  message.resistance.assign(by_rows.begin(), by_rows.end());
   return message;
 }
 
@@ -189,7 +222,9 @@ std::vector<proto::Load> Solvers::loads_on_free_bodies(const Trial& trial) const
   for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
     const std::size_t body = dofs_.bodies()[k];
     if (!trial.state.is_there(body)) continue;
-    loads.push_back(to_wire(trial.state.arcs[body], trial.state.tractions[body]));
+    loads.push_back(trial.state.tractions.empty()
+                        ? to_wire(static_cast<std::uint32_t>(body), trial.state.loads[body])
+                        : to_wire(trial.state.arcs[body], trial.state.tractions[body]));
     if (!participants_.dem_takes_added_inertia) continue;
     loads.back().velocity = to_wire(trial.placed[body].velocity);
     loads.back().spin = to_wire(trial.placed[body].spin);

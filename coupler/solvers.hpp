@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct Participants {
   proto::DemParticipant* dem = nullptr;
   bool fluid_moves_bodies = false;       ///< by balances sent to it (capability "balance")
   bool dem_takes_added_inertia = false;  ///< capability "added_inertia"
+  bool dem_takes_resistance = false;     ///< capability "resistance"
 };
 
 /// The contents of all files that the scene names.
@@ -39,10 +41,13 @@ class Solvers {
 
   bool has_fluid() const { return participants_.fluid != nullptr; }
   bool dem_takes_added_inertia() const { return participants_.dem_takes_added_inertia; }
+  bool dem_takes_resistance() const { return participants_.dem_takes_resistance; }
 
   /// Both let their solver answer to the trial, which started from `before`; a role that does not take part
-  /// has nothing to say. Returns "" or why the solver did not converge.
-  std::string advance_fluid(const proto::Stamp& stamp, const CoupledState& before, Trial& trial);
+  /// has nothing to say. Returns "" or why the solver did not converge. `wants_resistance`: the fluid is
+  /// asked for that of the free bodies.
+  std::string advance_fluid(const proto::Stamp& stamp, const CoupledState& before, bool wants_resistance,
+                            Trial& trial);
   std::string advance_dem(const proto::Stamp& stamp, Trial& trial);
   /// `leaving`: bodies that take no part any more.
   void accept(const CoupledState& state, const std::vector<Departure>& leaving);
@@ -57,6 +62,8 @@ class Solvers {
  private:
   void add_balances(const CoupledState& before, const Trial& trial,
                     std::vector<proto::Interface>& interfaces) const;
+  std::vector<Eigen::Index> unknowns_there(const CoupledState& state) const;
+  void take_resistance(std::span<const double> by_rows, Trial& trial) const;
   void take_tractions(std::vector<proto::Traction> tractions, Trial& trial) const;
   proto::DemAdvance message_to_dem(const Trial& trial) const;
   std::vector<proto::Load> loads_on_free_bodies(const Trial& trial) const;

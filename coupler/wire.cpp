@@ -35,6 +35,14 @@ proto::Interface to_wire(std::uint32_t body, const coupling::Arcs& arcs,
   return interface;
 }
 
+proto::Load to_wire(std::uint32_t body, const coupling::RigidLoad& load) {
+  proto::Load message;
+  message.body = body;
+  message.force = to_wire(load.force);
+  message.torque = to_wire(load.torque);
+  return message;
+}
+
 proto::Load to_wire(const coupling::Arcs& arcs, const proto::Traction& traction) {
   return {.body = traction.body,
           .force = traction.force,

@@ -93,7 +93,7 @@ proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdva
   time_ = message.time;
   const Advanced outcome =
       solver().advance(message.time_step, read_loads(message.loads), read_prescribed(message.prescribed),
-                       message.resolved_gaps, read_prescribed(message.walls));
+                       message.resolved_gaps, read_prescribed(message.walls), message.resistance);
   ledger_.counts["sub_steps"] += static_cast<double>(outcome.sub_steps);
   ledger_.counts["neighbour_searches"] += static_cast<double>(outcome.searches);
   return {.converged = outcome.converged,

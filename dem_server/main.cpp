@@ -3,7 +3,7 @@
 
 int main(int argc, char** argv) {
   const fpi::proto::Connection connection =
-      fpi::proto::read_command_line(argc, argv, "dem_server", {"checkpoint", "added_inertia"});
+      fpi::proto::read_command_line(argc, argv, "dem_server", {"checkpoint", "added_inertia", "resistance"});
   fpi::dem::DemService service;
   return fpi::proto::serve(service, connection);
 }

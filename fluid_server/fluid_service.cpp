@@ -117,7 +117,7 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
 }
 
 proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const proto::FluidAdvance& message) {
-  Request request{message.time, message.time_step, stamp.sub_iteration, {}};
+  Request request{message.time, message.time_step, stamp.sub_iteration, {}, message.wants_resistance};
   for (const proto::Interface& interface : message.interfaces)
     request.interfaces.push_back(read_interface(interface, message.time_step, scene_.thickness));
   const Result result = solver().advance(request);
@@ -129,6 +129,8 @@ proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const prot
                            .time_error_order = static_cast<double>(result.time_error.power)};
   for (const BodyTraction& traction : result.tractions)
     out.tractions.push_back(write_traction(traction, scene_.thickness));
+  const auto resistance = (scene_.thickness * result.resistance).reshaped<Eigen::RowMajor>();
+  out.resistance.assign(resistance.begin(), resistance.end());
   return out;
 }
 

@@ -112,7 +112,8 @@ struct FluidAdvance {
   double time = 0;       ///< [s] at the end of the step
   double time_step = 0;  ///< [s]; 0 asks for the steady state
   std::vector<Interface> interfaces{};
-  bool same_interfaces = false;  ///< they are those of the last accepted step, and none are sent
+  bool same_interfaces = false;   ///< they are those of the last accepted step, and none are sent
+  bool wants_resistance = false;  ///< of the bodies with a balance; in the first sub-iteration of a step
 };
 /// λ on the arcs or edges of a body, and what it adds up to.
 struct Traction {
@@ -131,6 +132,9 @@ struct FluidAdvanced {
   double residual = 0;          ///< last relative Newton update
   double time_error = 0;        ///< estimated for this step, relative to the velocity
   double time_error_order = 0;  ///< power of the time step that it goes with; 0: no error is said
+  /// By rows, how force x, y and torque go with velocity x, y and spin at the end of the step, of all bodies
+  /// with a balance, mass/Δt included [kg/s, kg m/s, kg m²/s]; empty: not wanted, or not known.
+  std::vector<double> resistance{};
 };
 
 /// What a body feels besides gravity and contact.
@@ -153,6 +157,7 @@ struct DemAdvance {
   std::vector<double>
       resolved_gaps{};  ///< [m] of every body: narrower gaps the fluid does not resolve; empty: no fluid
   std::vector<Motion> walls{};  ///< at the end of the step, for every wall that moves; `body` is its index
+  std::vector<double> resistance{};  ///< of the bodies of `loads`, as the fluid said it; empty: not known
 };
 struct DemAdvanced {
   bool converged = false;

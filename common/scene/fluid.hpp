@@ -212,7 +212,7 @@ struct Fluid {
   std::optional<double> kinematic_viscosity;  ///< ν [m²/s]
   bool convection = true;
   std::string viscous_form = "symmetric";
-  std::string linear_solver = "umfpack";
+  std::string linear_solver = "auto";
   double newmark_gamma = 0.5;                           ///< γ of paper eq. (10)
   std::vector<std::string> body_force{"0", "0"};        ///< ρb [N/m³], besides gravity
   std::vector<std::string> pressure_drop{"0", "0"};     ///< −∇ of the mean pressure [Pa/m]
@@ -224,7 +224,7 @@ struct Fluid {
   Embedding embedding;
 
   static constexpr std::array<std::string_view, 2> viscous_forms{"symmetric", "gradient"};
-  static constexpr std::array<std::string_view, 2> linear_solvers{"umfpack", "mumps"};
+  static constexpr std::array<std::string_view, 3> linear_solvers{"auto", "umfpack", "mumps"};
 
   void declare(ParameterVisitor& v) {
     launch.declare(v);
@@ -241,7 +241,9 @@ struct Fluid {
          "symmetric: 2μ ε(u):ε(w), traction σn at open boundaries; gradient: μ ∇u:∇w, as the DFG references"},
         viscous_form, viscous_forms);
     v.choice({"linear_solver", "",
-              "direct solver: umfpack, or mumps, the faster one where the build has it (libmumps-seq-dev)"},
+              "direct solver: umfpack; mumps, the faster one of large meshes, where the build has it "
+              "(libmumps-seq-dev); auto: umfpack, but mumps in steps in which bodies touch, as it tells the "
+              "grains how the fluid resists them"},
              linear_solver, linear_solvers);
     v.real({"newmark_gamma", "",
             "γ of Newmark's method: 0.5 second order, 1 backward Euler; where bodies move, any below 1 means "

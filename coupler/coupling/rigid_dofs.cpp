@@ -42,6 +42,14 @@ Eigen::VectorXd RigidDofs::loads(std::span<const RigidLoad> loads) const {
   return f;
 }
 
+void RigidDofs::set_loads(const Eigen::VectorXd& forces, std::span<RigidLoad> loads) const {
+  Eigen::Index k = 0;
+  for (const std::size_t i : bodies_) {
+    loads[i] = {.force = {forces[k], forces[k + 1], 0}, .torque = {0, 0, forces[k + 2]}};
+    k += 3;
+  }
+}
+
 void RigidDofs::set_velocities(const Eigen::VectorXd& velocities, std::span<RigidMotion> motions) const {
   Eigen::Index k = 0;
   for (const std::size_t i : bodies_) {

@@ -26,6 +26,7 @@ class RigidDofs {
 
   Eigen::VectorXd velocities(std::span<const RigidMotion> motions) const;
   Eigen::VectorXd loads(std::span<const RigidLoad> loads) const;
+  void set_loads(const Eigen::VectorXd& forces, std::span<RigidLoad> loads) const;
   void set_velocities(const Eigen::VectorXd& velocities, std::span<RigidMotion> motions) const;
 
   const Eigen::VectorXd& inertia() const { return inertia_; }  ///< m [kg], I [kg m²]; 0 of massless bodies

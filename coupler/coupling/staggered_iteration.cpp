@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "coupling/aitken.hpp"
+#include "coupling/constant_relaxation.hpp"
 
 namespace fpi::coupling {
 namespace {
@@ -53,6 +54,7 @@ StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorX
   Eigen::VectorXd x = guess;
   StallWatch watch;
   Best best;
+  ConstantRelaxation newton(1);
   std::optional<Aitken> fallback;
   acceleration_->begin_step();
   while (result.sub_iterations < parameters_.max_iterations) {
@@ -85,7 +87,8 @@ StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorX
       watch.reset();
       std::tie(scaled, residual) = std::tie(best.x, best.residual);
     }
-    Acceleration& acceleration = fallback ? *fallback : *acceleration_;
+    Acceleration& learnt = fallback ? *fallback : *acceleration_;
+    Acceleration& acceleration = exchange.is_newton && !fallback ? newton : learnt;
     x = acceleration.next(scaled, residual).cwiseQuotient(scale);
     result.columns = acceleration_->columns();
   }

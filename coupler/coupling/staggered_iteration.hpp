@@ -20,6 +20,7 @@ struct Exchange {
   bool converged = false;      ///< both solved their part
   std::string reason;          ///< why not
   Eigen::VectorXd residual;    ///< r: x + r would be next in the plain iteration
+  bool is_newton = false;      ///< which would be Newton's: nothing that was learnt could make it better
   Eigen::VectorXd velocities;  ///< of the bodies
   Eigen::VectorXd forces;      ///< of the fluid on them
 };

@@ -98,9 +98,10 @@ void WorkMeter::add_bodies(double duration, const Particles& particles, Works& w
     const Vec3 held = particles.acceleration(k).head<3>();
     const Vec3 held_turning =
         particles.load.empty() ? Vec3(Vec3::Zero()) : Vec3(particles.load[k].angular.head<3>());
-    const Vec3 force = push.linear.head<3>(), moment = push.angular.head<3>();
-    const Vec3 acceleration = half.linear[3] * force + held,
-               turning = half.angular[3] * moment + held_turning;
+    const Twin& contacts = particles.contact_push.empty() ? push : particles.contact_push[k];
+    const Vec3 force = contacts.linear.head<3>(), moment = contacts.angular.head<3>();
+    const Vec3 acceleration = half.linear[3] * push.linear.head<3>() + held,
+               turning = half.angular[3] * push.angular.head<3>() + held_turning;
     velocity_[i] = half.linear.head<3>() + 0.5 * duration * acceleration;
     spin_[i] = half.angular.head<3>() + 0.5 * duration * turning;
     if (bodies.is_free(i)) {

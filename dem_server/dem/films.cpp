@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dem/bicgstab.hpp"
 #include "dem/sub_steps.hpp"
 
 namespace fpi::dem {
@@ -36,8 +37,8 @@ Resistance unresolved_film(const Model& model, const Near& near, double gap, dou
 
 }  // namespace
 
-Films::Films(const Model& model, std::span<const double> resolved_gaps)
-    : model_(model), resolved_gaps_(resolved_gaps), row_(model.bodies.size(), -1) {
+Films::Films(const Model& model, const SharedInertia& inertia, std::span<const double> resolved_gaps)
+    : model_(model), inertia_(inertia), resolved_gaps_(resolved_gaps), row_(model.bodies.size(), -1) {
   if (model.lubricant.viscosity == 0) return;
   axes_ = model.plane ? std::vector{0, 1, 5} : std::vector{0, 1, 2, 3, 4, 5};
   const auto& widest = resolved_gaps.empty() ? model.bodies.radius : resolved_gaps;
@@ -124,13 +125,14 @@ void Films::prepare(double duration) {
   number_bodies();
   std::vector<Eigen::Triplet<double>> entries;
   const auto n_axes = static_cast<Eigen::Index>(axes_.size());
+  own_inertia_.resize(n_rows_);
   for (std::size_t i = 0; i < row_.size(); ++i) {
     if (row_[i] < 0) continue;
     for (Eigen::Index k = 0; k < n_axes; ++k)
-      entries.emplace_back(
-          row_[i] + k, row_[i] + k,
-          1 / (axes_[k] < 3 ? model_.bodies.inverse_mass[i] : model_.bodies.inverse_inertia[i]));
+      own_inertia_[row_[i] + k] =
+          1 / (axes_[k] < 3 ? model_.bodies.inverse_mass[i] : model_.bodies.inverse_inertia[i]);
   }
+  for (Eigen::Index k = 0; k < n_rows_; ++k) entries.emplace_back(k, k, own_inertia_[k]);
   for (const Damper& damper : dampers_)
     each_body(damper, [&](std::uint32_t i, const Vec6& along_i) {
       each_body(damper, [&](std::uint32_t j, const Vec6& along_j) {
@@ -146,42 +148,107 @@ void Films::prepare(double duration) {
   factor_.compute(matrix);
 }
 
+double Films::rate(const Damper& damper, const std::vector<Vec3>& velocity,
+                   const std::vector<Vec3>& spin) const {
+  double sum = -damper.wall_rate;
+  each_body(damper, [&](std::uint32_t i, const Vec6& along) {
+    sum += along.head<3>().dot(velocity[i]) + along.tail<3>().dot(spin[i]);
+  });
+  return sum;
+}
+
+double Films::rate(const Damper& damper, const Eigen::VectorXd& change) const {
+  double sum = 0;
+  each_body(damper, [&](std::uint32_t i, const Vec6& along) {
+    if (row_[i] < 0) return;
+    for (std::size_t k = 0; k < axes_.size(); ++k)
+      sum += along[axes_[k]] * change[row_[i] + static_cast<Eigen::Index>(k)];
+  });
+  return sum;
+}
+
+void Films::add_impulse(const Damper& damper, double impulse, Eigen::VectorXd& to) const {
+  each_body(damper, [&](std::uint32_t i, const Vec6& along) {
+    if (row_[i] < 0) return;
+    for (std::size_t k = 0; k < axes_.size(); ++k)
+      to[row_[i] + static_cast<Eigen::Index>(k)] += impulse * along[axes_[k]];
+  });
+}
+
 /// (M + Δt Z) v₁ = M v₀ gives the dampers' rates at the end; their impulses, equal and opposite to the last
 /// bit, are what the bodies get, so that momentum does not depend on how well the equations were solved.
 void Films::damp(std::vector<Vec3>& velocity, std::vector<Vec3>& spin) const {
   if (empty()) return;
-  const auto rate = [&](const Damper& damper) {
-    double sum = -damper.wall_rate;
-    each_body(damper, [&](std::uint32_t i, const Vec6& along) {
-      sum += along.head<3>().dot(velocity[i]) + along.tail<3>().dot(spin[i]);
-    });
-    return sum;
-  };
-  std::vector<double> impulse;
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n_rows_);
+  std::vector<double> impulses;
+  Eigen::VectorXd first = Eigen::VectorXd::Zero(n_rows_);
   for (const Damper& damper : dampers_) {
-    impulse.push_back(-duration_ * damper.c * rate(damper));
-    each_body(damper, [&](std::uint32_t i, const Vec6& along) {
-      if (row_[i] < 0) return;
-      for (std::size_t k = 0; k < axes_.size(); ++k)
-        right[row_[i] + static_cast<Eigen::Index>(k)] += impulse.back() * along[axes_[k]];
-    });
+    impulses.push_back(-duration_ * damper.c * rate(damper, velocity, spin));
+    add_impulse(damper, impulses.back(), first);
   }
-  const Eigen::VectorXd change = factor_.solve(right);
-  for (std::size_t d = 0; d < dampers_.size(); ++d) {
-    double further = 0;
-    each_body(dampers_[d], [&](std::uint32_t i, const Vec6& along) {
-      if (row_[i] < 0) return;
-      for (std::size_t k = 0; k < axes_.size(); ++k)
-        further += along[axes_[k]] * change[row_[i] + static_cast<Eigen::Index>(k)];
-    });
-    impulse[d] -= duration_ * dampers_[d].c * further;
+  const Eigen::VectorXd change = changes(first);
+  for (std::size_t d = 0; d < dampers_.size(); ++d)
+    impulses[d] -= duration_ * dampers_[d].c * rate(dampers_[d], change);
+  push(impulses, velocity, spin);
+}
+
+/// What the velocities change by where the dampers would exert `impulses` if they did not: v₁ − v₀.
+Eigen::VectorXd Films::changes(const Eigen::VectorXd& impulses) const {
+  return inertia_.empty() ? Eigen::VectorXd(factor_.solve(impulses)) : changes_together(impulses);
+}
+
+/// With Y the answer of all bodies together: (1 + Y Δt Z) (v₁ − v₀) = Y · impulses.
+Eigen::VectorXd Films::changes_together(const Eigen::VectorXd& impulses) const {
+  constexpr double tolerance = 1e-10;
+  constexpr int most = 200;
+  const auto apply = [this](const Eigen::VectorXd& change) -> Eigen::VectorXd {
+    Eigen::VectorXd drag = Eigen::VectorXd::Zero(n_rows_);
+    for (const Damper& damper : dampers_)
+      add_impulse(damper, duration_ * damper.c * rate(damper, change), drag);
+    return change + answer(drag);
+  };
+  const auto by_itself = [this](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+    return factor_.solve(own_inertia_.cwiseProduct(x));
+  };
+  return bicgstab(apply, by_itself, answer(impulses), tolerance, most);
+}
+
+/// Changes of the velocities of the bodies that a film touches under impulses on them.
+Eigen::VectorXd Films::answer(const Eigen::VectorXd& impulses) const {
+  const auto n = static_cast<Eigen::Index>(axes_.size());
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(inertia_.n_rows()), change(n_rows_);
+  const auto each_row = [&](auto visit) {
+    for (std::uint32_t i = 0; i < row_.size(); ++i)
+      if (row_[i] >= 0) visit(row_[i], inertia_.row(i));
+  };
+  each_row([&](Eigen::Index here, Eigen::Index there) { all.segment(there, n) = impulses.segment(here, n); });
+  all = inertia_.accelerations(all);
+  each_row([&](Eigen::Index here, Eigen::Index there) { change.segment(here, n) = all.segment(there, n); });
+  return change;
+}
+
+void Films::push(const std::vector<double>& impulses, std::vector<Vec3>& velocity,
+                 std::vector<Vec3>& spin) const {
+  if (inertia_.empty()) {
+    for (std::size_t d = 0; d < dampers_.size(); ++d)
+      each_body(dampers_[d], [&](std::uint32_t i, const Vec6& along) {
+        velocity[i] += model_.bodies.inverse_mass[i] * impulses[d] * along.head<3>();
+        spin[i] += model_.bodies.inverse_inertia[i] * impulses[d] * along.tail<3>();
+      });
+    return;
   }
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(inertia_.n_rows());
   for (std::size_t d = 0; d < dampers_.size(); ++d)
     each_body(dampers_[d], [&](std::uint32_t i, const Vec6& along) {
-      velocity[i] += model_.bodies.inverse_mass[i] * impulse[d] * along.head<3>();
-      spin[i] += model_.bodies.inverse_inertia[i] * impulse[d] * along.tail<3>();
+      if (const Eigen::Index at = inertia_.row(i); at >= 0)
+        all.segment<3>(at) += impulses[d] * Vec3(along[0], along[1], along[5]);
     });
+  all = inertia_.accelerations(all);
+  for (std::uint32_t i = 0; i < velocity.size(); ++i) {
+    const Eigen::Index at = inertia_.row(i);
+    if (at < 0) continue;
+    velocity[i].head<2>() += all.segment<2>(at);
+    spin[i].z() += all[at + 2];
+  }
 }
 
 }  // namespace fpi::dem

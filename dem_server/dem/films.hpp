@@ -7,14 +7,15 @@
 
 #include "dem/contact.hpp"
 #include "dem/lubrication_law.hpp"
+#include "dem/shared_inertia.hpp"
 #include "dem/state.hpp"
 
 namespace fpi::dem {
 
 class Films {
  public:
-  /// `resolved_gaps` [m] of each body; empty: no fluid is resolved.
-  Films(const Model& model, std::span<const double> resolved_gaps);
+  /// `resolved_gaps` [m] of each body; empty: no fluid is resolved. Bodies move with `inertia`.
+  Films(const Model& model, const SharedInertia& inertia, std::span<const double> resolved_gaps);
 
   /// The gap below which the widest film begins [m]; 0 where there are none.
   double reach() const { return reach_; }
@@ -42,6 +43,15 @@ class Films {
   double resolved_gap(const Near& near) const;
   void add_dampers(const Near& near, const Resistance& film);
   void number_bodies();
+  double rate(const Damper& damper, const std::vector<Vec3>& velocity, const std::vector<Vec3>& spin) const;
+  /// Of a damper as its bodies' velocities change.
+  double rate(const Damper& damper, const Eigen::VectorXd& change) const;
+  /// Adds an impulse of a damper to the rows of its bodies.
+  void add_impulse(const Damper& damper, double impulse, Eigen::VectorXd& to) const;
+  Eigen::VectorXd changes(const Eigen::VectorXd& impulses) const;
+  Eigen::VectorXd changes_together(const Eigen::VectorXd& impulses) const;
+  Eigen::VectorXd answer(const Eigen::VectorXd& impulses) const;
+  void push(const std::vector<double>& impulses, std::vector<Vec3>& velocity, std::vector<Vec3>& spin) const;
   /// Calls visit(body, along) for the bodies of a damper.
   template <class Visit>
   void each_body(const Damper& damper, Visit visit) const {
@@ -50,13 +60,15 @@ class Films {
   }
 
   const Model& model_;
+  const SharedInertia& inertia_;
   std::span<const double> resolved_gaps_;
   double reach_ = 0, duration_ = 0;
   std::vector<int> axes_;  ///< of the six that a body moves along: three in the plane
   std::vector<Damper> dampers_;
   std::vector<Eigen::Index> row_;  ///< first equation of each body, or −1
   Eigen::Index n_rows_ = 0;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;  ///< where each body has its own inertia
+  Eigen::VectorXd own_inertia_;                                ///< of each equation
 };
 
 }  // namespace fpi::dem

@@ -26,15 +26,16 @@ constexpr double most_sub_steps = 1e8;  ///< in one step of the coupling, flight
 
 class Integration {
  public:
-  Integration(const Model& model, const Loads& loads, std::span<const double> resolved_gaps, double duration,
-              State& state)
+  Integration(const Model& model, const Loads& loads, const SharedInertia& inertia,
+              std::span<const double> resolved_gaps, double duration, State& state)
       : model_(model),
         loads_(loads),
+        inertia_(inertia),
         load_(loads.start),
         duration_(duration),
         state_(state),
         motions_(state.motions),
-        films_(model, resolved_gaps),
+        films_(model, inertia, resolved_gaps),
         particles_(begin()),
         memories_(state.contacts, *state.neighbours, model.laws.resists_turning()) {
     state_.contacts = {};
@@ -81,6 +82,7 @@ class Integration {
     if (!is_affordable(left_ / duration)) return;
     forces_stand_ = false;
     contact_forces_.clear();
+    particles_.contact_push.clear();
     sweep({.clear = true});
     load_at(left_ - third * duration);
     move({.kick = 0.5 * duration, .drift = duration});
@@ -262,6 +264,7 @@ class Integration {
     const SubStep step{stretch_time, mean_over, reach};
     ContactCount count = add_pair_forces(model_, *state_.neighbours, step, memories_, particles_);
     add_scene_ordered(step, count);
+    if (!inertia_.empty()) inertia_.answer(particles_);
     forces_stand_ = true;
     contact_forces_ = std::move(count.forces);
     outcome_.contacts = count.touching;
@@ -356,6 +359,7 @@ class Integration {
 
   const Model& model_;
   const Loads& loads_;
+  const SharedInertia& inertia_;
   Forces load_;      ///< at the moment
   double duration_;  ///< [s] of the step
   State& state_;
@@ -379,9 +383,9 @@ class Integration {
 
 }  // namespace
 
-Advanced integrate(const Model& model, const Loads& loads, std::span<const double> resolved_gaps,
-                   double duration, State& state) {
-  return Integration(model, loads, resolved_gaps, duration, state).run();
+Advanced integrate(const Model& model, const Loads& loads, const SharedInertia& inertia,
+                   std::span<const double> resolved_gaps, double duration, State& state) {
+  return Integration(model, loads, inertia, resolved_gaps, duration, state).run();
 }
 
 }  // namespace fpi::dem

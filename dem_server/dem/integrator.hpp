@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "dem/shared_inertia.hpp"
 #include "dem/state.hpp"
 #include "dem/sub_steps.hpp"
 
@@ -23,9 +24,9 @@ struct Advanced {
 };
 
 /// Advances `state` by `duration` [s] under `loads`, weight included. Bodies
-/// that are not free keep their velocities and spins; `resolved_gaps` as of Films. A pure function of its
-/// arguments, bitwise.
-Advanced integrate(const Model& model, const Loads& loads, std::span<const double> resolved_gaps,
-                   double duration, State& state);
+/// that are not free keep their velocities and spins; `resolved_gaps` as of Films. What acts between bodies
+/// moves them with `inertia`. A pure function of its arguments, bitwise.
+Advanced integrate(const Model& model, const Loads& loads, const SharedInertia& inertia,
+                   std::span<const double> resolved_gaps, double duration, State& state);
 
 }  // namespace fpi::dem

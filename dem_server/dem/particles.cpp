@@ -63,6 +63,7 @@ void Particles::reorder(const std::vector<std::uint32_t>& order) {
   permute(order, now);
   permute(order, push);
   if (!load.empty()) permute(order, load);
+  if (!contact_push.empty()) permute(order, contact_push);
   permute(order, turned);
   permute(order, material);
 }

@@ -90,14 +90,15 @@ Solver::Solver(const Problem& problem) : model_(make_model(problem)) {
 
 Advanced Solver::advance(double time_step, std::span<const Load> loads,
                          std::span<const Prescribed> prescribed, std::span<const double> resolved_gaps,
-                         std::span<const Prescribed> walls) {
+                         std::span<const Prescribed> walls, std::span<const double> resistance) {
   require(std::isfinite(time_step) && time_step > 0, "a time_step > 0 s is required; got {}", time_step);
   check_resolved_gaps(model_, resolved_gaps);
   restore();
+  set_inertia(loads, resistance, time_step);
   set_loads(loads, time_step);
   start_prescribed(prescribed, time_step);
   start_walls(walls, time_step);
-  const Advanced outcome = integrate(model_, loads_, resolved_gaps, time_step, trial_);
+  const Advanced outcome = integrate(model_, loads_, inertia_, resolved_gaps, time_step, trial_);
   finish_prescribed(prescribed);
   finish_walls(walls);
   return outcome;
@@ -131,33 +132,55 @@ std::vector<std::uint32_t> Solver::contacts() const {
   return count;
 }
 
+void Solver::set_inertia(std::span<const Load> loads, std::span<const double> resistance, double time_step) {
+  Bodies& bodies = model_.bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies.set_added(i, 0, 0);
+  std::vector<std::uint32_t> moved;
+  for (const Load& load : loads) {
+    check_load(model_, load);
+    bodies.set_added(load.body, load.added_mass, load.added_inertia);
+    moved.push_back(load.body);
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    require(!bodies.is_free(i) || std::isfinite(bodies.inverse_mass[i]),
+            "free body {} has no mass, and no fluid adds any: give it a density", bodies.name[i]);
+  const auto n = static_cast<Eigen::Index>(3 * moved.size());
+  require(
+      resistance.empty() || (model_.plane && resistance.size() == static_cast<std::size_t>(n * n)),
+      "a resistance of 3 rows and columns for each of {} bodies of a plane scene is required; got {} numbers",
+      moved.size(), resistance.size());
+  if (resistance.empty()) {
+    inertia_ = {};
+    return;
+  }
+  using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::MatrixXd matrix = time_step * Eigen::Map<const ByRows>(resistance.data(), n, n);
+  require(matrix.allFinite(), "a finite resistance is required");
+  if (!inertia_.is(moved, matrix)) inertia_ = {std::move(moved), matrix};
+}
+
 /// The whole weight m g, as the fluid's force includes the buoyancy; in a plane scene only what acts in the
 /// plane. Added inertia moves with the body: (m + m_a) dv/dt = F + m_a (V − v_n)/Δt, which is F alone where
 /// the body ends with V. Linear loads go on from where those of the last accepted step ended; those of the
 /// first are held.
 void Solver::set_loads(std::span<const Load> loads, double time_step) {
-  Bodies& bodies = model_.bodies;
-  Forces others(bodies.size()), exerted(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    others.force[i] = bodies.mass[i] * model_.gravity;
-    bodies.set_added(i, 0, 0);
-  }
+  const Bodies& bodies = model_.bodies;
+  Forces others(bodies.size()), exerted(bodies.size()), gained(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) others.force[i] = bodies.mass[i] * model_.gravity;
+  const Vec3 force_axes = model_.plane ? Vec3(1, 1, 0) : Vec3(1, 1, 1);
+  const Vec3 torque_axes = model_.plane ? Vec3(0, 0, 1) : Vec3(1, 1, 1);
   for (const Load& load : loads) {
-    check_load(model_, load);
     const std::uint32_t i = load.body;
-    const Vec3 force_axes = model_.plane ? Vec3(1, 1, 0) : Vec3(1, 1, 1);
-    const Vec3 torque_axes = model_.plane ? Vec3(0, 0, 1) : Vec3(1, 1, 1);
-    const Vec3 force = load.added_mass / time_step * (load.velocity - trial_.motions.velocity[i]);
-    const Vec3 torque = load.added_inertia / time_step * (load.spin - trial_.motions.spin[i]);
+    const Vec3 rise = (load.velocity - trial_.motions.velocity[i]) / time_step;
+    const Vec3 spin_up = (load.spin - trial_.motions.spin[i]) / time_step;
     exerted.force[i] += load.force.cwiseProduct(force_axes);
     exerted.torque[i] += load.torque.cwiseProduct(torque_axes);
-    others.force[i] += force.cwiseProduct(force_axes);
-    others.torque[i] += torque.cwiseProduct(torque_axes);
-    bodies.set_added(i, load.added_mass, load.added_inertia);
+    gained.force[i] = bodies.mass[i] * rise.cwiseProduct(force_axes);
+    gained.torque[i] = bodies.inertia[i] * spin_up.cwiseProduct(torque_axes);
+    others.force[i] += load.added_mass * rise.cwiseProduct(force_axes);
+    others.torque[i] += load.added_inertia * spin_up.cwiseProduct(torque_axes);
   }
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    require(!bodies.is_free(i) || std::isfinite(bodies.inverse_mass[i]),
-            "free body {} has no mass, and no fluid adds any: give it a density", bodies.name[i]);
+  if (!inertia_.empty()) share_expected_contacts(gained, exerted, others);
   loads_ = {.start = std::move(others), .growth = {}};
   const bool grows = model_.loads_are_linear && !accepted_.loads.empty();
   loads_.start.add(1, grows ? accepted_.loads : exerted);
@@ -166,6 +189,28 @@ void Solver::set_loads(std::span<const Load> loads, double time_step) {
     loads_.growth.add(-1, accepted_.loads);
   }
   if (model_.loads_are_linear) trial_.loads = std::move(exerted);
+}
+
+/// The contacts that the fluid's V goes with exert C = m (V − v_n)/Δt − F − m g in the mean. The bodies share
+/// what is pushed, so without contacts they would lose K⁻¹ C, K the inertia of all of them with the fluid,
+/// where each by itself would lose C/(m + m_a).
+void Solver::share_expected_contacts(const Forces& gained, const Forces& exerted, Forces& others) const {
+  const Bodies& bodies = model_.bodies;
+  Eigen::VectorXd expected(inertia_.n_rows());
+  const auto each = [&](auto visit) {
+    for (std::uint32_t i = 0; i < bodies.size(); ++i)
+      if (const Eigen::Index at = inertia_.row(i); at >= 0) visit(i, at);
+  };
+  each([&](std::uint32_t i, Eigen::Index at) {
+    const Vec3 force = gained.force[i] - exerted.force[i] - bodies.mass[i] * model_.gravity;
+    expected.segment<3>(at) << force.head<2>(), gained.torque[i].z() - exerted.torque[i].z();
+  });
+  const Eigen::VectorXd lost = inertia_.accelerations(expected);
+  each([&](std::uint32_t i, Eigen::Index at) {
+    others.force[i].head<2>() += expected.segment<2>(at) - lost.segment<2>(at) / bodies.inverse_mass[i];
+    if (bodies.inverse_inertia[i] > 0)
+      others.torque[i].z() += expected[at + 2] - lost[at + 2] / bodies.inverse_inertia[i];
+  });
 }
 
 /// Bodies that are not free have the velocity of the way they go, and the mean of their spins.

@@ -42,9 +42,12 @@ class Solver {
   /// Throws Error for a step that is not > 0 s, a body that does not exist, or numbers that are not finite. A
   /// body that is not free and not among `prescribed` stays where it is, as a wall does that is not among
   /// `walls`. `resolved_gaps` [m], one a body:
-  /// narrower ones the fluid does not resolve; empty where there is no fluid.
+  /// narrower ones the fluid does not resolve; empty where there is no fluid. `resistance` of the bodies of
+  /// `loads`, by rows: how force x, y and torque go with velocity x, y and spin at the end of the step, their
+  /// own inertia over the step included [kg/s, kg m/s, kg m²/s]; empty where nobody says.
   Advanced advance(double time_step, std::span<const Load> loads, std::span<const Prescribed> prescribed = {},
-                   std::span<const double> resolved_gaps = {}, std::span<const Prescribed> walls = {});
+                   std::span<const double> resolved_gaps = {}, std::span<const Prescribed> walls = {},
+                   std::span<const double> resistance = {});
   /// Bodies that leave are taken out, contacts and all.
   void accept(std::span<const std::uint32_t> leaving = {});
   void restore() { trial_ = accepted_; }
@@ -69,7 +72,9 @@ class Solver {
   void resume(std::span<const std::uint8_t> bytes);
 
  private:
+  void set_inertia(std::span<const Load> loads, std::span<const double> resistance, double time_step);
   void set_loads(std::span<const Load> loads, double time_step);
+  void share_expected_contacts(const Forces& gained, const Forces& exerted, Forces& others) const;
   void start_prescribed(std::span<const Prescribed> prescribed, double time_step);
   void finish_prescribed(std::span<const Prescribed> prescribed);
   void start_walls(std::span<const Prescribed> walls, double time_step);
@@ -79,6 +84,7 @@ class Solver {
   State accepted_, trial_;
   Energies start_;  ///< of the run
   Loads loads_;     ///< weight included
+  SharedInertia inertia_;
 };
 
 }  // namespace fpi::dem

@@ -37,6 +37,15 @@ FreeBodies::FreeBodies(const std::vector<Interface>& interfaces, const CutMesh& 
   }
 }
 
+std::vector<Index> FreeBodies::unknowns(const Numbering& numbering) const {
+  std::vector<Index> equations;
+  for (const Index i : interfaces_) {
+    const auto first = numbering.rigid.begin() + 3 * i;
+    equations.insert(equations.end(), first, first + 3);
+  }
+  return equations;
+}
+
 void FreeBodies::declare_blocks(const Numbering& numbering, BlockMatrix& matrix) {
   first_block_ = matrix.n_blocks();
   for (const Multiplier& m : multipliers_) {

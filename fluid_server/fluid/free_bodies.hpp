@@ -18,6 +18,10 @@ class FreeBodies {
   /// The bodies among `interfaces` that have a balance, with their multipliers in the system.
   FreeBodies(const std::vector<Interface>& interfaces, const CutMesh& cut, const Numbering& numbering);
 
+  bool empty() const { return interfaces_.empty(); }
+  /// Equations of Vx, Vy, ω of each, in the order of the interfaces.
+  std::vector<Index> unknowns(const Numbering& numbering) const;
+
   void declare_blocks(const Numbering& numbering, BlockMatrix& matrix);
 
   /// Forgets the integrals of all multipliers.

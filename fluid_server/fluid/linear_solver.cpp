@@ -14,23 +14,24 @@ namespace {
 
 struct Backend {
   std::string_view name;
-  std::shared_ptr<const Analysis> (*analyse)(const BlockMatrix&);
+  bool gives_schur_complements;
+  std::shared_ptr<const Analysis> (*analyse)(const BlockMatrix&, std::span<const Index> last);
 };
 
 constexpr auto backends = std::to_array<Backend>({
-    {"umfpack", analyse_with_umfpack},
+    {"umfpack", false,
+     [](const BlockMatrix& matrix, std::span<const Index>) { return analyse_with_umfpack(matrix); }},
 #ifdef FPI_MUMPS
-    {"mumps", analyse_with_mumps},
+    {"mumps", true, analyse_with_mumps},
 #endif
 });
 
-const Backend& find(std::string_view solver) {
-  const auto* backend = std::ranges::find(backends, solver, &Backend::name);
-  require(backend != backends.end(),
-          "linear_solver must be one that this build has ({}); got \"{}\": take one of these, or install its "
-          "library and build again (for mumps: libmumps-seq-dev, -DFPI_MUMPS=ON)",
-          fmt::join(linear_solvers(), ", "), solver);
-  return *backend;
+/// The first that has the name, or any where it is "auto"; null where there is none.
+const Backend* find(std::string_view name, bool with_schur_complement) {
+  const auto* backend = std::ranges::find_if(backends, [&](const Backend& b) {
+    return (name == "auto" || name == b.name) && (b.gives_schur_complements || !with_schur_complement);
+  });
+  return backend == backends.end() ? nullptr : backend;
 }
 
 }  // namespace
@@ -59,13 +60,25 @@ std::vector<std::string_view> linear_solvers() {
   return names;
 }
 
-void check_linear_solver(std::string_view solver) { find(solver); }
+void check_linear_solver(std::string_view solver) {
+  require(find(solver, false) != nullptr,
+          "linear_solver must be auto or one that this build has ({}); got \"{}\": take one of these, or "
+          "install its library and build again (for mumps: libmumps-seq-dev, -DFPI_MUMPS=ON)",
+          fmt::join(linear_solvers(), ", "), solver);
+}
 
-std::shared_ptr<const Analysis> analyse(const BlockMatrix& matrix, std::string_view solver) {
+bool gives_schur_complements(std::string_view solver) { return find(solver, true) != nullptr; }
+
+std::shared_ptr<const Analysis> analyse(const BlockMatrix& matrix, std::string_view solver,
+                                        std::span<const Index> last) {
   require(matrix.n() > 0,
           "at least one unknown is required; got none: the boundaries prescribe every velocity, take a finer "
           "mesh");
-  return find(solver).analyse(matrix);
+  check_linear_solver(solver);
+  const Backend* backend = find(solver, !last.empty());
+  require(backend != nullptr, "a linear solver that gives Schur complements is required; {} does not",
+          solver);
+  return backend->analyse(matrix, last);
 }
 
 }  // namespace fpi::fluid

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,9 @@ class Factor {
   Vector solve_transposed(const Vector& b) const;
 
   bool is_singular() const { return is_singular_; }
+  /// What elimination of all other unknowns leaves of the matrix for those that the analysis kept for last;
+  /// without entries where it kept none.
+  const Eigen::MatrixXd& schur_complement() const { return schur_complement_; }
   /// What making this factor and solving with it take: seconds on a typical core, computed from counts, so
   /// that decisions based on them are the same in every run.
   double factor_cost() const { return factor_cost_; }
@@ -37,6 +41,7 @@ class Factor {
 
   Index n_;
   bool is_singular_ = false;
+  Eigen::MatrixXd schur_complement_;
   double factor_cost_ = 0, solve_cost_ = 0;
 
  private:
@@ -61,14 +66,19 @@ class Analysis {
   Index n_, non_zeros_;
 };
 
-/// The solvers of this build, the default first.
+/// The solvers of this build.
 std::vector<std::string_view> linear_solvers();
 
 /// Throws Error where this build lacks the solver.
 void check_linear_solver(std::string_view solver);
 
-/// Analyses the pattern of `matrix` with one of `linear_solvers()`. Throws Error for a matrix without
-/// unknowns.
-std::shared_ptr<const Analysis> analyse(const BlockMatrix& matrix, std::string_view solver);
+/// Whether the factors of a solver give Schur complements; "auto" does where one of this build's does.
+bool gives_schur_complements(std::string_view solver);
+
+/// Analyses the pattern of `matrix` with one of `linear_solvers()`, or the first that suits ("auto"). The
+/// unknowns `last` are eliminated last, so that factors have their Schur complement, which the solver must be
+/// one to give. Throws Error for a matrix without unknowns.
+std::shared_ptr<const Analysis> analyse(const BlockMatrix& matrix, std::string_view solver,
+                                        std::span<const Index> last = {});
 
 }  // namespace fpi::fluid

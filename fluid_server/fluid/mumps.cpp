@@ -2,6 +2,7 @@
 
 #include <dmumps_c.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "core/error.hpp"
@@ -10,23 +11,27 @@ namespace fpi::fluid {
 namespace {
 
 enum class Job : int { start = -1, end = -2, analyse = 1, factor = 2, solve = 3 };
+/// Of a solution around a Schur complement.
+enum class SchurPhase : int { condense = 1, expand = 2 };
 
 /// The numbers of the manual, which count from 1.
 namespace control {
 constexpr int error_output = 1, diagnostic_output = 2, global_output = 3, verbosity = 4, transversal = 6,
-              ordering = 7, form = 9, refinement = 10, memory_relaxation = 14;
+              ordering = 7, form = 9, refinement = 10, memory_relaxation = 14, schur_complement = 19,
+              schur_phase = 26;
 }
 namespace status {
 constexpr int structurally_singular = -6, integer_space = -8, real_space = -9, singular = -10,
               no_memory_for_integers = -7, no_memory = -13, too_many_integers = -19;
 }
 
-/// The pattern as MUMPS wants it: rows and columns from 1.
+/// The pattern as MUMPS wants it: rows, columns and unknowns to be kept for last from 1.
 struct Pattern {
   Index n;
-  std::vector<MUMPS_INT> rows, columns;
+  std::vector<MUMPS_INT> rows, columns, last;
 
-  explicit Pattern(const BlockMatrix& matrix) : n(matrix.n()) {
+  Pattern(const BlockMatrix& matrix, std::span<const Index> kept_for_last) : n(matrix.n()) {
+    for (const Index unknown : kept_for_last) last.push_back(unknown + 1);
     rows.reserve(matrix.non_zeros());
     columns.reserve(matrix.non_zeros());
     for (Index c = 0; c < n; ++c)
@@ -59,6 +64,11 @@ class Instance {
     // MUMPS only reads the pattern and the values; its C interface knows no const.
     m_.irn = const_cast<MUMPS_INT*>(pattern_->rows.data());
     m_.jcn = const_cast<MUMPS_INT*>(pattern_->columns.data());
+    if (n_last() > 0) {
+      icntl(control::schur_complement) = 1;  // whole, by rows
+      m_.size_schur = m_.lredrhs = n_last();
+      m_.listvar_schur = const_cast<MUMPS_INT*>(pattern_->last.data());
+    }
     run(Job::analyse);
     check("analysis");
   }
@@ -66,9 +76,14 @@ class Instance {
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
 
-  /// False for a singular matrix. Pivoting can need more room than the analysis foresaw.
-  bool factor(const double* values) {
+  Index n_last() const { return static_cast<Index>(pattern_->last.size()); }
+
+  /// False for a singular matrix. Pivoting can need more room than the analysis foresaw. `schur_complement`
+  /// is transposed: MUMPS writes rows.
+  bool factor(const double* values, Eigen::MatrixXd& schur_complement) {
     m_.a = const_cast<double*>(values);
+    schur_complement.resize(n_last(), n_last());
+    m_.schur = schur_complement.data();
     const MUMPS_INT relaxation = icntl(control::memory_relaxation);
     run(Job::factor);
     while ((code() == status::real_space || code() == status::integer_space) &&
@@ -77,18 +92,28 @@ class Instance {
       run(Job::factor);
     }
     icntl(control::memory_relaxation) = relaxation;
-    m_.a = nullptr;
+    m_.a = m_.schur = nullptr;
     if (code() == status::singular || code() == status::structurally_singular) return false;
     check("factorisation");
     return true;
   }
 
-  Vector solve(const Vector& b, bool transposed) {
-    Vector x = b;
+  /// `solve_last` gives the unknowns kept for last from what is left for them of the right-hand side.
+  template <class SolveLast>
+  Vector solve(const Vector& b, bool transposed, SolveLast solve_last) {
+    Vector x = b, last(n_last());
     icntl(control::form) = transposed ? 2 : 1;
     m_.rhs = x.data();
-    run(Job::solve);
-    m_.rhs = nullptr;
+    m_.redrhs = last.data();
+    if (n_last() == 0) {
+      run(Job::solve);
+    } else {
+      run(SchurPhase::condense);
+      last = solve_last(last);
+      m_.redrhs = last.data();
+      run(SchurPhase::expand);
+    }
+    m_.rhs = m_.redrhs = nullptr;
     check("solution");
     return x;
   }
@@ -103,6 +128,11 @@ class Instance {
   void run(Job job) {
     m_.job = static_cast<MUMPS_INT>(job);
     dmumps_c(&m_);
+  }
+  void run(SchurPhase phase) {
+    if (code() < 0) return;
+    icntl(control::schur_phase) = static_cast<MUMPS_INT>(phase);
+    run(Job::solve);
   }
   void check(const char* phase) const {
     const bool no_memory = code() == status::no_memory || code() == status::no_memory_for_integers ||
@@ -123,7 +153,8 @@ class Instance {
 /// analyses again; every instance analyses alike, so which of them serves makes no difference.
 class Instances {
  public:
-  explicit Instances(const BlockMatrix& matrix) : pattern_(std::make_shared<Pattern>(matrix)) {
+  Instances(const BlockMatrix& matrix, std::span<const Index> last)
+      : pattern_(std::make_shared<Pattern>(matrix, last)) {
     give_back(std::make_unique<Instance>(pattern_));
   }
   std::unique_ptr<Instance> borrow() {
@@ -143,7 +174,9 @@ class MumpsFactor final : public Factor {
  public:
   MumpsFactor(std::shared_ptr<Instances> instances, const BlockMatrix& matrix)
       : Factor(matrix.n()), instances_(std::move(instances)), instance_(instances_->borrow()) {
-    is_singular_ = !instance_->factor(matrix.values());
+    is_singular_ = !instance_->factor(matrix.values(), schur_complement_);
+    schur_complement_.transposeInPlace();
+    if (schur_complement_.size() > 0 && !is_singular_) last_.compute(schur_complement_);
     // Fitted as UMFPACK's.
     factor_cost_ = 6e-11 * instance_->operations() + 4e-8 * instance_->entries();
     solve_cost_ = 3e-9 * instance_->entries();
@@ -152,17 +185,21 @@ class MumpsFactor final : public Factor {
 
  private:
   Vector back_solve(const Vector& b, Form form) const override {
-    return instance_->solve(b, form == Form::transposed);
+    const bool transposed = form == Form::transposed;
+    return instance_->solve(b, transposed, [&](const Vector& left) -> Vector {
+      return transposed ? Vector(last_.transpose().solve(left)) : Vector(last_.solve(left));
+    });
   }
 
   std::shared_ptr<Instances> instances_;
   std::unique_ptr<Instance> instance_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> last_;  // of the Schur complement
 };
 
 class MumpsAnalysis final : public Analysis {
  public:
-  explicit MumpsAnalysis(const BlockMatrix& matrix)
-      : Analysis(matrix), instances_(std::make_shared<Instances>(matrix)) {}
+  MumpsAnalysis(const BlockMatrix& matrix, std::span<const Index> last)
+      : Analysis(matrix), instances_(std::make_shared<Instances>(matrix, last)) {}
 
  private:
   std::shared_ptr<const Factor> make_factor(const BlockMatrix& matrix) const override {
@@ -174,8 +211,8 @@ class MumpsAnalysis final : public Analysis {
 
 }  // namespace
 
-std::shared_ptr<const Analysis> analyse_with_mumps(const BlockMatrix& matrix) {
-  return std::make_shared<MumpsAnalysis>(matrix);
+std::shared_ptr<const Analysis> analyse_with_mumps(const BlockMatrix& matrix, std::span<const Index> last) {
+  return std::make_shared<MumpsAnalysis>(matrix, last);
 }
 
 }  // namespace fpi::fluid

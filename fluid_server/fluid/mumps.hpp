@@ -6,6 +6,7 @@
 
 namespace fpi::fluid {
 
-std::shared_ptr<const Analysis> analyse_with_mumps(const BlockMatrix& matrix);
+/// The unknowns `last` have a Schur complement.
+std::shared_ptr<const Analysis> analyse_with_mumps(const BlockMatrix& matrix, std::span<const Index> last);
 
 }  // namespace fpi::fluid

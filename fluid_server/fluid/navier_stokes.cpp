@@ -67,6 +67,7 @@ Result NavierStokes::advance(const Request& request) {
   result.newton = solve_step(request);
   if (result.newton.converged) {
     result.tractions = tractions();
+    if (request.wants_resistance && current_.factor) result.resistance = current_.factor->schur_complement();
     if (request.time_step > 0)
       result.time_error = time_error(scheme_, start_, current_.fields.u, request.time_step);
   }
@@ -85,6 +86,7 @@ NewtonResult NavierStokes::start_step(const Request& request) {
     system_ = std::make_shared<System>(space_, settings_.fluid, std::move(interfaces),
                                        system_ ? system_->cut() : CutMesh{}, monitor.ledger);
   }
+  system_->want_resistance(request.wants_resistance);
   if (!accepted_system_) check_held(request.time_step == 0);
   start_ = accepted_;
   NewtonResult result;
@@ -100,7 +102,8 @@ NewtonResult NavierStokes::start_step(const Request& request) {
       with_multipliers(follow ? predicted_velocity(start_, request.time_step) : start_.u, start_.p);
   if (start_.damped_steps > 0) return result;  // with the factor of the first half
   base_.factor = nullptr;
-  if (system_ == accepted_system_) kept_.lend(base_, time_terms_.inertia, flow_.convection == 0);
+  if (system_ == accepted_system_ && !request.wants_resistance)
+    kept_.lend(base_, time_terms_.inertia, flow_.convection == 0);
   return result;
 }
 

@@ -32,6 +32,7 @@ struct Request {
   double time_step = 0;  ///< [s]; 0: the steady state
   unsigned sub_iteration = 0;
   std::vector<Interface> interfaces;
+  bool wants_resistance = false;  ///< see Result; asked with sub-iteration 0, it holds for the step
 };
 
 struct BodyTraction {
@@ -47,6 +48,11 @@ struct Result {
   NewtonResult newton;
   TimeError time_error;
   std::vector<BodyTraction> tractions;
+  /// How forces and torques on the bodies that the fluid moves go with their velocities Vx, Vy and spins ω at
+  /// the end of the step, m/Δt included, per metre of thickness, in the order of the interfaces [kg/(m s),
+  /// …]: the Schur complement of the step's first factor. Without entries unless wanted and the linear solver
+  /// gives it.
+  Eigen::MatrixXd resistance;
 };
 
 class NavierStokes {

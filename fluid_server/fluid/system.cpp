@@ -276,7 +276,9 @@ void System::add(const Vector& update, double step, Fields& fields) const {
 
 std::shared_ptr<const Factor> System::factor_of_matrix(Ledger& ledger) {
   if (!analysis_) {
-    analysis_ = analyse(matrix_, linear_solver_);
+    const std::vector<Index> rigid =
+        wants_resistance_ ? free_bodies_.unknowns(numbering_) : std::vector<Index>{};
+    analysis_ = analyse(matrix_, linear_solver_, rigid);
     ledger.counts["analyses"] += 1;
   }
   return analysis_->factor(matrix_);
@@ -294,6 +296,11 @@ std::shared_ptr<const Factor> System::factor(Ledger& ledger) {
     columns.col(k) = -gather(unit).head(numbering_.n_equations);
   }
   return with_border(std::move(inner), columns, rows);
+}
+
+void System::want_resistance(bool wanted) {
+  wanted = wanted && !free_bodies_.empty() && gives_schur_complements(linear_solver_);
+  if (std::exchange(wants_resistance_, wanted) != wanted) analysis_.reset();
 }
 
 Vector System::velocity_weight() const {

@@ -116,6 +116,9 @@ class System {
   std::shared_ptr<const Factor> factor_of_matrix(Ledger& ledger);
   /// Of the whole system.
   std::shared_ptr<const Factor> factor(Ledger& ledger);
+  /// Whether factors are to have the Schur complement of the bodies that the fluid moves, which tells how it
+  /// resists them; where the linear solver cannot give it, or drives are unknowns, they have none.
+  void want_resistance(bool wanted);
   /// 1 for each equation of a velocity, 0 for all else: that follows from the velocities.
   Vector velocity_weight() const;
   /// "the largest residual is at (x, y) m", of the gathered residual.
@@ -184,6 +187,7 @@ class System {
   Index first_ghost_ = 0, first_piece_ = 0;  // block numbers
   BlockMatrix matrix_;
   std::shared_ptr<const Analysis> analysis_;
+  bool wants_resistance_ = false;  // from factors
 };
 
 }  // namespace fpi::fluid

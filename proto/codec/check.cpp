@@ -110,6 +110,9 @@ void rules(const Place& at, const FluidAdvanced& advanced) {
   demand(advanced.residual >= 0, at, "residual", ">= 0", advanced.residual);
   demand(advanced.time_error >= 0, at, "time_error", ">= 0", advanced.time_error);
   demand(advanced.time_error_order >= 0, at, "time_error_order", ">= 0", advanced.time_error_order);
+  const auto rows = static_cast<std::size_t>(std::lround(std::sqrt(advanced.resistance.size())));
+  demand(rows * rows == advanced.resistance.size(), at, "resistance", "as many columns as rows",
+         advanced.resistance.size());
 }
 
 void rules(const Place& at, const Load& load) {
@@ -123,6 +126,9 @@ void rules(const Place& at, const Load& load) {
 void rules(const Place& at, const DemAdvance& advance) {
   demand(advance.time_step >= 0, at, "time_step", ">= 0 s", advance.time_step);
   for (const double gap : advance.resolved_gaps) demand(gap > 0, at, "resolved_gaps", "> 0 m", gap);
+  const std::size_t rows = 3 * advance.loads.size();
+  demand(advance.resistance.empty() || advance.resistance.size() == rows * rows, at, "resistance",
+         fmt::format("empty, or {0} rows and columns, three a load", rows), advance.resistance.size());
 }
 
 void rules(const Place& at, const DemAdvanced& advanced) {

@@ -123,11 +123,11 @@ Configured unpack(Reader& r, const wire::Configured* w) {
   return {r.list(w->arc_lengths()), w->resolved_gap_ratio(), r.list(w->notes()), r.list(w->figures())};
 }
 FluidAdvance unpack(Reader& r, const wire::FluidAdvance* w) {
-  return {w->time(), w->time_step(), r.list(w->interfaces()), w->same_interfaces()};
+  return {w->time(), w->time_step(), r.list(w->interfaces()), w->same_interfaces(), w->wants_resistance()};
 }
 FluidAdvanced unpack(Reader& r, const wire::FluidAdvanced* w) {
   return {w->converged(), r.text(w->reason()), r.list(w->tractions()), w->newton_iterations(),
-          w->residual(),  w->time_error(),     w->time_error_order()};
+          w->residual(),  w->time_error(),     w->time_error_order(),  r.numbers(w->resistance())};
 }
 DemAdvance unpack(Reader& r, const wire::DemAdvance* w) {
   return {w->time(),
@@ -135,7 +135,8 @@ DemAdvance unpack(Reader& r, const wire::DemAdvance* w) {
           r.list(w->loads()),
           r.list(w->prescribed()),
           r.numbers(w->resolved_gaps()),
-          r.list(w->walls())};
+          r.list(w->walls()),
+          r.numbers(w->resistance())};
 }
 DemAdvanced unpack(Reader& r, const wire::DemAdvanced* w) {
   return {w->converged(), r.text(w->reason()),      r.list(w->motions()),

@@ -97,15 +97,17 @@ auto pack(Builder& b, const Configured& m) {
                                 list(b, m.figures));
 }
 auto pack(Builder& b, const FluidAdvance& m) {
-  return wire::CreateFluidAdvance(b, m.time, m.time_step, list(b, m.interfaces), m.same_interfaces);
+  return wire::CreateFluidAdvance(b, m.time, m.time_step, list(b, m.interfaces), m.same_interfaces,
+                                  m.wants_resistance);
 }
 auto pack(Builder& b, const FluidAdvanced& m) {
   return wire::CreateFluidAdvanced(b, m.converged, text(b, m.reason), list(b, m.tractions),
-                                   m.newton_iterations, m.residual, m.time_error, m.time_error_order);
+                                   m.newton_iterations, m.residual, m.time_error, m.time_error_order,
+                                   numbers(b, m.resistance));
 }
 auto pack(Builder& b, const DemAdvance& m) {
   return wire::CreateDemAdvance(b, m.time, m.time_step, list(b, m.loads), list(b, m.prescribed),
-                                numbers(b, m.resolved_gaps), list(b, m.walls));
+                                numbers(b, m.resolved_gaps), list(b, m.walls), numbers(b, m.resistance));
 }
 auto pack(Builder& b, const DemAdvanced& m) {
   return wire::CreateDemAdvanced(b, m.converged, text(b, m.reason), list(b, m.motions), m.sub_steps,

@@ -92,6 +92,7 @@ inline constexpr auto members_of<FluidAdvance> = std::tuple{
     member("time_step", &FluidAdvance::time_step),
     member("interfaces", &FluidAdvance::interfaces),
     member("same_interfaces", &FluidAdvance::same_interfaces),
+    member("wants_resistance", &FluidAdvance::wants_resistance),
 };
 template <>
 inline constexpr auto members_of<Traction> = std::tuple{
@@ -112,6 +113,7 @@ inline constexpr auto members_of<FluidAdvanced> = std::tuple{
     member("residual", &FluidAdvanced::residual),
     member("time_error", &FluidAdvanced::time_error),
     member("time_error_order", &FluidAdvanced::time_error_order),
+    member("resistance", &FluidAdvanced::resistance),
 };
 template <>
 inline constexpr auto members_of<Load> = std::tuple{
@@ -134,6 +136,7 @@ inline constexpr auto members_of<DemAdvance> = std::tuple{
     member("prescribed", &DemAdvance::prescribed),
     member("resolved_gaps", &DemAdvance::resolved_gaps),
     member("walls", &DemAdvance::walls),
+    member("resistance", &DemAdvance::resistance),
 };
 template <>
 inline constexpr auto members_of<DemAdvanced> = std::tuple{

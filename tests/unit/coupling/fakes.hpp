@@ -62,6 +62,8 @@ class FakeFluid : public proto::FluidParticipant {
       if (const auto& b = body.balance)
         v = (rate * (b->mass * b->velocity[1] + added_mass * before) + b->force[1] + buoyancy) /
             (rate * (b->mass + added_mass) + drag);
+      if (body.balance && message.wants_resistance)
+        answer.resistance = {1, 0, 0, 0, rate * (body.balance->mass + added_mass) + drag, 0, 0, 0, 1};
       const double inertia = added_mass * (v - before) * rate;
       answer.tractions.push_back({.body = body.body,
                                   .values = std::vector<double>(2 * body.size(), v),
@@ -106,12 +108,14 @@ class FakeFluid : public proto::FluidParticipant {
   std::vector<double> velocities_, tried_;
 };
 
-/// v_{n+1} = v_n + Δt (F + m g)/m, x by the trapezoidal rule; inertia that the fluid adds counts.
+/// v_{n+1} = v_n + Δt (F − damper v_{n+1} + m g)/m, x by the trapezoidal rule; inertia that the fluid adds,
+/// or its resistance, counts.
 class FakeDem : public proto::DemParticipant {
  public:
   FakeDem(double mass, double gravity, std::vector<proto::Motion> motions)
       : mass_(mass), gravity_(gravity), motions_(std::move(motions)) {}
 
+  double damper = 0;  ///< [N s/m] between each body and the ground
   std::vector<proto::DemAdvance> asked;
   std::size_t restores = 0;
 
@@ -129,8 +133,12 @@ class FakeDem : public proto::DemParticipant {
         if (load.body != motion.body) continue;
         force += load.force[1] + load.added_mass * (load.velocity[1] - before) / message.time_step;
         mass += load.added_mass;
+        if (message.resistance.empty()) continue;
+        const double gained = (load.velocity[1] - before) / message.time_step;
+        mass = message.time_step * message.resistance[4];
+        force += (mass - mass_ - load.added_mass) * gained;
       }
-      motion.velocity[1] += message.time_step * force / mass;
+      motion.velocity[1] = (mass * before + message.time_step * force) / (mass + message.time_step * damper);
       motion.position[1] += 0.5 * message.time_step * (before + motion.velocity[1]);
     }
     return {.converged = true, .reason = "", .motions = tried_};

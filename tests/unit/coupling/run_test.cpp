@@ -48,6 +48,28 @@ TEST_F(RunTest, the_fluid_sees_the_hydraulic_radius) {
   EXPECT_DOUBLE_EQ(fluid.asked[0].interfaces[0].radius, 0.4);
 }
 
+/// Something besides its weight acts on the ball: a damper, far stiffer than the fluid's drag.
+TEST_F(RunTest, where_more_than_weight_acts_the_dem_gets_the_resistance_of_the_fluid) {
+  const scene::Scene scene = make_scene({disc("ball", "free")});
+  for (const double damper : {0.0, 400.0}) {
+    FakeFluid own_fluid;
+    FakeDem own_dem = new_dem();
+    own_dem.damper = damper;
+    TemporaryFolder own;
+    CoupledRun run(scene, {&own_fluid, &own_dem, true, true, true}, own.path(), 1, ledger);
+    run.start({});
+    run.march();
+    double v = 0;
+    for (int k = 0; k < 12; ++k) v = ((1 + 3) * v + 0.1 * (0.5 + gravity)) / (1 + 3 + (2 + damper) * 0.1);
+    EXPECT_NEAR(run.simulation().state().motions[0].velocity.y(), v, 1e-5 * std::abs(v));
+    // Known from the first step on what acts, each step is foreseen, or corrected once.
+    EXPECT_LE(own_fluid.asked.size(), damper > 0 ? 24u : 12u);
+    const auto wanted = std::ranges::count_if(own_fluid.asked, &proto::FluidAdvance::wants_resistance);
+    EXPECT_EQ(wanted, damper > 0 ? 11 : 0);
+    EXPECT_EQ(own_dem.asked.back().resistance.size(), damper > 0 ? 9u : 0u);
+  }
+}
+
 TEST_F(RunTest, prescribed_and_fixed_bodies_take_one_exchange_a_step_and_move_by_their_formulas) {
   const scene::Scene scene = make_scene({disc("stirrer", "prescribed"), disc("post", "fixed")});
   CoupledRun run = make_run(scene);

@@ -138,7 +138,8 @@ TEST(DemServer, serves_a_host_until_goodbye) {
   proto::Host host(options);
   Process process(host.address());
   const std::vector<proto::Hello> hellos = host.admit({"dem"}, {false});
-  EXPECT_EQ(hellos.at(0).capabilities, (std::vector<std::string>{"checkpoint", "added_inertia"}));
+  EXPECT_EQ(hellos.at(0).capabilities,
+            (std::vector<std::string>{"checkpoint", "added_inertia", "resistance"}));
   const auto ask = [&]<class Answer>(proto::Message message) {
     return host.ask<Answer>("dem", {.run = 7, .step = 1, .sub_iteration = 0}, std::move(message));
   };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <limits>
 #include <random>
 
@@ -146,6 +147,18 @@ TEST_P(DirectSolver, counts_the_same_cost_each_time_and_more_for_a_factor_than_f
   const auto again = analysed->factor(system.matrix);
   EXPECT_EQ(again->factor_cost(), factor->factor_cost());
   EXPECT_EQ(again->solve_cost(), factor->solve_cost());
+}
+
+TEST_P(DirectSolver, solves_alike_and_gives_the_schur_complement_of_unknowns_kept_for_last) {
+  if (!gives_schur_complements(GetParam())) GTEST_SKIP() << GetParam() << " gives none";
+  const SaddlePoint system;
+  const std::vector<Index> last{17, 3, 42};
+  const auto factor = analyse(system.matrix, GetParam(), last)->factor(system.matrix);
+  EXPECT_LT((factor->solve(system.dense * x) - x).norm(), 1e-9);
+  EXPECT_LT((factor->solve_transposed(system.dense.transpose() * x) - x).norm(), 1e-9);
+  const Eigen::MatrixXd inverse = system.dense.inverse();
+  const Eigen::MatrixXd of_last = inverse(last, last).inverse();
+  EXPECT_LT((factor->schur_complement() - of_last).norm(), 1e-9 * of_last.norm());
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, DirectSolver, testing::ValuesIn(linear_solvers()),

@@ -74,6 +74,39 @@ TEST_P(FreeBody, balances_hold_and_the_velocities_found_exert_the_same_forces_wh
   EXPECT_GT(std::abs(motion[0].spin), 1e-4);
 }
 
+/// In Stokes flow the answer to forces is linear: what changes with them is what the resistance says.
+TEST(FreeBody, resistance_tells_what_forces_on_all_bodies_change) {
+  auto settings = closed_box();
+  settings.fluid.convection = false;
+  if (!gives_schur_complements(settings.fluid.linear_solver)) GTEST_SKIP() << "no linear solver gives it";
+  NavierStokes solver(square(20), settings);
+  Request request{time_step, time_step, 0, {}, true};
+  request.interfaces = {falling(0, {0.3, 0.62}, 0.5, {}), circle(1, {0.8, 0.8}, 0.1, 0.05),
+                        falling(2, {0.53, 0.51}, 2, {})};
+  const Result before = solver.advance(request);
+  ASSERT_TRUE(before.newton.converged) << before.newton.reason;
+  ASSERT_EQ(before.resistance.rows(), 6);
+  const Vector push = Vector::LinSpaced(6, -0.02, 0.03);
+  request.sub_iteration = 1;
+  request.wants_resistance = false;
+  for (const Index i : {0, 2}) {
+    Balance& balance = *request.interfaces[i].balance;
+    const Index at = 3 * (i / 2);
+    balance.load += push.segment<2>(at);
+    balance.torque += push[at + 2];
+  }
+  const Result after = solver.advance(request);
+  ASSERT_TRUE(after.newton.converged) << after.newton.reason;
+  EXPECT_EQ(after.resistance.size(), 0);
+  Vector change(6);
+  for (const Index i : {0, 2}) {
+    const RigidVelocity &was = before.tractions[i].motion, &is = after.tractions[i].motion;
+    change.segment<3>(3 * (i / 2)) << is.translation - was.translation, is.spin - was.spin;
+  }
+  EXPECT_GT(change.norm(), 1e-4);
+  EXPECT_LT((before.resistance * change - push).norm(), 1e-8 * push.norm());
+}
+
 /// Without inertia and torque a disc turns at half the shear rate in Stokes flow (Jeffery 1922); far walls
 /// that keep the undisturbed shear change that by (R/L)⁴.
 TEST(FreeBody, a_disc_in_stokes_shear_turns_at_half_the_shear_rate) {
