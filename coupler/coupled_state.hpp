@@ -65,6 +65,7 @@ struct Trial {
   /// How these go with the unknowns at the end of the step, as the fluid says [kg/s, kg m/s, kg m²/s];
   /// without entries where it does not.
   Eigen::MatrixXd resistance;
+  bool wants_resistance = false;  ///< from the fluid
   Attempt report;
 };
 

@@ -82,6 +82,7 @@ Attempt Simulation::attempt(double start, double end, double time_step) {
   Eigen::VectorXd velocities = predictor_.guess(step_start()), force_of_dem = force_of_dem_;
   if (fluid_moves_bodies_ && solvers_.dem_takes_added_inertia() && time_step > 0)
     foresee_contacts(start, velocities, force_of_dem);
+  trial_.wants_resistance = bodies_act(force_of_dem_) || bodies_act(force_of_dem);
   place_bodies(start, velocities);
   iterate(fluid_moves_bodies_ ? iterate_of(force_of_dem) : velocities);
   while (is_badly_placed()) {
@@ -112,12 +113,12 @@ void Simulation::foresee_contacts(double start, Eigen::VectorXd& velocities, Eig
   trial_.state.contacts = accepted_.contacts;
 }
 
-/// Whether in the last step contacts or films, not weights alone, were what the DEM added: then it is worth
-/// knowing how the fluid resists all bodies together.
-bool Simulation::bodies_act() const {
+/// Whether contacts or films, not weights alone, are what the DEM adds: then it is worth knowing how the
+/// fluid resists all bodies together.
+bool Simulation::bodies_act(const Eigen::VectorXd& force_of_dem) const {
   if (!fluid_moves_bodies_ || !solvers_.dem_takes_resistance()) return false;
   const Eigen::VectorXd scale = dofs_.lever().cwiseInverse(), weight = weights(dofs_, scene_.gravity);
-  const double acting = of_bodies_there(force_of_dem_ - weight, accepted_).cwiseProduct(scale).norm();
+  const double acting = of_bodies_there(force_of_dem - weight, accepted_).cwiseProduct(scale).norm();
   const double all = std::max(weight.norm(), dofs_.loads(accepted_.loads).cwiseProduct(scale).norm());
   return acting > std::max(scene_.coupling.relative_tolerance * all, scene_.coupling.absolute_force);
 }
@@ -251,7 +252,7 @@ coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t 
   else
     dofs_.set_velocities(x, trial_.placed);
   coupling::Exchange answer;
-  answer.reason = solvers_.advance_fluid(stamp, accepted_, sub_iteration == 0 && bodies_act(), trial_);
+  answer.reason = solvers_.advance_fluid(stamp, accepted_, trial_);
   if (answer.reason.empty()) answer.reason = solvers_.advance_dem(stamp, trial_);
   answer.converged = answer.reason.empty();
   answer.velocities = dofs_.velocities(trial_.state.motions);

@@ -57,7 +57,7 @@ class Simulation {
   void place_bodies(double start, const Eigen::VectorXd& predicted);
   coupling::Arcs outline(std::size_t body, const coupling::RigidMotion& placed) const;
   void foresee_contacts(double start, Eigen::VectorXd& velocities, Eigen::VectorXd& force_of_dem);
-  bool bodies_act() const;
+  bool bodies_act(const Eigen::VectorXd& force_of_dem) const;
   Eigen::VectorXd of_bodies_there(Eigen::VectorXd unknowns, const CoupledState& state) const;
   Eigen::VectorXd missing_force(const Eigen::VectorXd& residual) const;
   void iterate(const Eigen::VectorXd& first);

@@ -99,9 +99,9 @@ void Solvers::warn_where_coarse(std::size_t body) {
       scene_.bodies[body].name, found, asked);
 }
 
-std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState& before,
-                                   bool wants_resistance, Trial& trial) {
+std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState& before, Trial& trial) {
   if (!participants_.fluid) return "";
+  const bool wants_resistance = trial.wants_resistance && stamp.sub_iteration == 0;
   proto::FluidAdvance message{.time = trial.end,
                               .time_step = trial.time_step,
                               .interfaces = {},
@@ -154,8 +154,7 @@ std::vector<Eigen::Index> Solvers::unknowns_there(const CoupledState& state) con
   std::vector<Eigen::Index> unknowns;
   for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
     if (!state.is_there(dofs_.bodies()[k])) continue;
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      unknowns.push_back(3 * static_cast<Eigen::Index>(k) + axis);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) unknowns.push_back(3 * static_cast<Eigen::Index>(k) + axis);
   }
   return unknowns;
 }

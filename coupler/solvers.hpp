@@ -44,10 +44,8 @@ class Solvers {
   bool dem_takes_resistance() const { return participants_.dem_takes_resistance; }
 
   /// Both let their solver answer to the trial, which started from `before`; a role that does not take part
-  /// has nothing to say. Returns "" or why the solver did not converge. `wants_resistance`: the fluid is
-  /// asked for that of the free bodies.
-  std::string advance_fluid(const proto::Stamp& stamp, const CoupledState& before, bool wants_resistance,
-                            Trial& trial);
+  /// has nothing to say. Returns "" or why the solver did not converge.
+  std::string advance_fluid(const proto::Stamp& stamp, const CoupledState& before, Trial& trial);
   std::string advance_dem(const proto::Stamp& stamp, Trial& trial);
   /// `leaving`: bodies that take no part any more.
   void accept(const CoupledState& state, const std::vector<Departure>& leaving);
