@@ -11,6 +11,7 @@ namespace fpi::dem {
 namespace {
 
 constexpr double most_change = 0.1;  ///< of a gap in one sub-step
+constexpr double held = 1e-100;      ///< [1/kg m²] of a body that does not turn, in place of zero
 
 GapShape shape_of(const Model& model, const Near& near) {
   const double ratio = model.lubricant.radius_ratio, Ra = ratio * model.bodies.radius[near.a];
@@ -130,7 +131,7 @@ void Films::prepare(double duration) {
     if (row_[i] < 0) continue;
     for (Eigen::Index k = 0; k < n_axes; ++k)
       own_inertia_[row_[i] + k] =
-          1 / (axes_[k] < 3 ? model_.bodies.inverse_mass[i] : model_.bodies.inverse_inertia[i]);
+          1 / std::max(axes_[k] < 3 ? model_.bodies.inverse_mass[i] : model_.bodies.inverse_inertia[i], held);
   }
   for (Eigen::Index k = 0; k < n_rows_; ++k) entries.emplace_back(k, k, own_inertia_[k]);
   for (const Damper& damper : dampers_)
@@ -247,7 +248,7 @@ void Films::push(const std::vector<double>& impulses, std::vector<Vec3>& velocit
     const Eigen::Index at = inertia_.row(i);
     if (at < 0) continue;
     velocity[i].head<2>() += all.segment<2>(at);
-    spin[i].z() += all[at + 2];
+    if (model_.bodies.inverse_inertia[i] > 0) spin[i].z() += all[at + 2];
   }
 }
 

@@ -67,6 +67,14 @@ void check_resolved_gaps(const Model& model, std::span<const double> gaps) {
             model.bodies.name[i], gaps[i]);
 }
 
+/// Nothing moves along this axis, nor does it move others.
+void hold(Eigen::Index axis, Eigen::MatrixXd& inertia) {
+  constexpr double very_heavy = 1e100;
+  inertia.row(axis).setZero();
+  inertia.col(axis).setZero();
+  inertia(axis, axis) = very_heavy;
+}
+
 /// Finds all that acts on each other first, which a state that was just made or resumed does not know.
 Energies energies_of(const Model& model, State state) {
   find_neighbours(model, widest_attraction(model), state);
@@ -154,8 +162,10 @@ void Solver::set_inertia(std::span<const Load> loads, std::span<const double> re
     return;
   }
   using ByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Eigen::MatrixXd matrix = time_step * Eigen::Map<const ByRows>(resistance.data(), n, n);
+  Eigen::MatrixXd matrix = time_step * Eigen::Map<const ByRows>(resistance.data(), n, n);
   require(matrix.allFinite(), "a finite resistance is required");
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    if (bodies.inverse_inertia[moved[k]] == 0) hold(3 * static_cast<Eigen::Index>(k) + 2, matrix);
   if (!inertia_.is(moved, matrix)) inertia_ = {std::move(moved), matrix};
 }
 

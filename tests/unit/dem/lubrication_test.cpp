@@ -194,6 +194,17 @@ TEST(Lubrication, keeps_momentum_and_only_loses_energy) {
 }
 
 /// A pair in rigid rotation about its centre does not shear its film.
+TEST(Lubrication, does_not_turn_a_disc_that_must_not) {
+  Problem problem = disc_over_floor(0.01, 0.5, 2);
+  problem.bodies[0].velocity = {0.3, -0.5};
+  problem.bodies[0].rotates = false;
+  Solver solver(problem);
+  step(solver, 0.005);
+  EXPECT_EQ(solver.motions().spin[0].norm(), 0);
+  EXPECT_GT(solver.motions().velocity[0].x(), 0.1);
+  EXPECT_LT(solver.motions().velocity[0].x(), 0.3);
+}
+
 TEST(Lubrication, leaves_a_rigid_rotation_alone) {
   Problem problem;
   problem.materials = {material(1e6, 0.3)};

@@ -115,6 +115,16 @@ TEST_F(ThreeDiscs, with_a_stiff_film_between_them_end_as_its_implicit_equations_
   EXPECT_LT(std::abs(v[0] - v[3]), 0.02);  // of an approach with 0.5 m/s
 }
 
+TEST_F(ThreeDiscs, do_not_turn_in_a_film_where_they_must_not) {
+  problem.dem.lubrication.viscosity = 1;
+  problem.bodies[1].rotates = false;
+  const std::vector<double> resolved(3, 0.05);
+  Solver solver(problem);
+  ASSERT_TRUE(solver.advance(time_step, loads, {}, resolved, {}, by_rows()).converged);
+  EXPECT_EQ(solver.motions().spin[1].norm(), 0);
+  EXPECT_TRUE(velocities(solver).allFinite());
+}
+
 TEST_F(ThreeDiscs, each_by_itself_do_as_with_added_inertia) {
   problem.dem.lubrication.viscosity = 1;
   const std::vector<double> resolved(3, 0.05);
