@@ -149,7 +149,9 @@ TEST(Percolation, a_flow_rate_past_grains_between_slip_walls_leaves_at_the_other
   EXPECT_LT(balance.relative(), 1e-8);
   // The walls take no shear: what drives along the channel ends on the grains and with the fluid.
   for (const auto& [name, force] : balance.terms)
-    if (name == "boundary:top" || name == "boundary:bottom") EXPECT_NEAR(force.x(), 0, 1e-12) << name;
+    if (name == "boundary:top" || name == "boundary:bottom") {
+      EXPECT_NEAR(force.x(), 0, 1e-12) << name;
+    }
 }
 
 /// Terms of different kind in each: what is left of their sum over the largest.
