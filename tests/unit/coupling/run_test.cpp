@@ -65,7 +65,7 @@ TEST_F(RunTest, where_more_than_weight_acts_the_dem_gets_the_resistance_of_the_f
     // Known from the first step on what acts, each step is foreseen, or corrected once.
     EXPECT_LE(own_fluid.asked.size(), damper > 0 ? 24u : 12u);
     const auto wanted = std::ranges::count_if(own_fluid.asked, &proto::FluidAdvance::wants_resistance);
-    EXPECT_EQ(wanted, damper > 0 ? 11 : 0);
+    EXPECT_EQ(wanted, damper > 0 ? 12 : 0);
     EXPECT_EQ(own_dem.asked.back().resistance.size(), damper > 0 ? 9u : 0u);
   }
 }

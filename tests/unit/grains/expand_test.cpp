@@ -88,7 +88,7 @@ TEST(Grains, a_declaration_that_does_not_fit_is_refused_with_its_place) {
       {"radius_range = [0.01, 0.02]", "", "radius must be given, or else radius_range"},
       {"radius_range = [0.01, 0.02]", "sieve_sizes = [1, 2]\npassing = [0, 90]",
        "passing must rise from 0 to 100"},
-      {"\"random\"", "\"hcp\"", "generator must be square, hexagonal, random or csv for discs"},
+      {"\"random\"", "\"hcp\"", "generator must be square, hexagonal, random, csv or scene for discs"},
       {"upper = [1, 1]", "upper = [1, 0]", "upper must be above lower"},
       {"upper = [1, 1]", "upper = [1, 1, 1]", "upper must have an entry for each axis"},
       {"solid_fraction = 0.4", "", "solid_fraction must be > 0 for a random packing"},
