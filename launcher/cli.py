@@ -57,7 +57,7 @@ def parser() -> argparse.ArgumentParser:
     script_options(resuming)
     plotting = word("plot", do_plot, "draw the results of a run")
     plotting.add_argument("run", type=Path, metavar="RUN", help="the run folder")
-    plotting.add_argument("--movie", action="store_true", help="and a movie of its grains (MP4 with ffmpeg, else GIF)")
+    plotting.add_argument("--movie", action="store_true", help="and a movie of its bodies (MP4 with ffmpeg, else GIF)")
     meshing = word("mesh", do_mesh, "make a body-fitted mesh with Gmsh")
     meshing.add_argument("geometry", metavar="NAME", help="a .geo file, or the name of one in configs/")
     meshing.add_argument("--size", type=factor, default=1.0, metavar="F", help="scales all element sizes (default 1)")

@@ -1,18 +1,12 @@
-"""Many grains: snapshots coloured by speed with the walls around them, and the same as a movie."""
-
-import shutil
-from pathlib import Path
+"""Many grains: snapshots coloured by speed with the walls around them."""
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib import animation
 from matplotlib.collections import EllipseCollection, LineCollection
 
 from launcher import results, stl
 
 MOST_SNAPSHOTS = 4
-MOST_FRAMES = 300
-FRAMES_A_SECOND = 25
 
 
 class View:
@@ -105,25 +99,3 @@ def snapshots(bodies: results.Bodies, scene: results.Scene):
         axis.label_outer()
     figure.colorbar(grains, ax=axes, label="speed [m/s]", shrink=0.8, pad=0.02, extend="max")
     return figure
-
-
-def movie(bodies: results.Bodies, scene: results.Scene, folder: Path) -> Path:
-    """All written times, or every so many of them, as MP4 where ffmpeg is installed, else as GIF."""
-    view = View(bodies, scene)
-    chosen = range(0, len(bodies.time), 1 + (len(bodies.time) - 1) // MOST_FRAMES)
-    width, height = view.size * 7.0 / max(view.size)
-    figure, axis = plt.subplots(figsize=(width + 2, height + 1))
-    grains = view.draw(axis, 0)
-    figure.colorbar(grains, ax=axis, label="speed [m/s]", shrink=0.8, extend="max")
-
-    def show(index):
-        grains.set_offsets(view.places(index))
-        grains.set_array(view.speed[index, view.order])
-        axis.set_title(scene.when(bodies.time[index]))
-
-    has_ffmpeg = shutil.which("ffmpeg") is not None
-    writer = (animation.FFMpegWriter if has_ffmpeg else animation.PillowWriter)(fps=FRAMES_A_SECOND)
-    path = folder / ("grains.mp4" if has_ffmpeg else "grains.gif")
-    animation.FuncAnimation(figure, show, frames=chosen).save(path, writer=writer)
-    plt.close(figure)
-    return path

@@ -22,10 +22,7 @@ def speeds(fields: results.Fields, bodies: results.Bodies | None, scene: results
         axis.quiver(*at.T, *velocity.T, color="white", alpha=0.8, angles="xy", scale_units="xy",
                     scale=max(high, 1e-300) / (1.6 * spacing), width=0.09 * spacing, units="xy", headwidth=3.5)
 
-    def speed(shot):
-        return np.linalg.norm(shot.velocity, axis=1)
-
-    return snapshots(fields, bodies, scene, speed, "speed [m/s]", colours="viridis", tail=0.1, decorate=add_arrows)
+    return snapshots(fields, bodies, scene, lambda shot: shot.speed, "speed [m/s]", colours="viridis", tail=0.1, decorate=add_arrows)
 
 
 def pressures(fields: results.Fields, bodies: results.Bodies | None, scene: results.Scene):
@@ -96,15 +93,22 @@ def snapshots(fields, bodies, scene, quantity, label, colours, tail, decorate=No
     size = (columns * (width * scale + 0.9) + 0.8, rows * (height * scale + 0.8))
     figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, sharex=True, sharey=True)
     for axis, shot, value in zip(axes.flat, shots, values):
-        image = axis.tripcolor(visible(fields, shot), value, shading="gouraud", cmap=colours, vmin=low, vmax=high)
+        image = panel(axis, fields, shot, value, bodies, scene, cmap=colours, vmin=low, vmax=high)
         if decorate is not None:
             decorate(axis, shot, high)
-        if bodies is not None:
-            add_bodies(axis, bodies, shot.time)
-        axis.autoscale(tight=True)
-        finish_map(axis, scene.when(shot.time), shared=True)
     figure.colorbar(image, ax=axes, label=label, shrink=0.8, pad=0.02, extend="both" if tail >= 1 else "neither")
     return figure
+
+
+def panel(axis, fields, shot, value, bodies, scene, **colours):
+    """One quantity at one time with the bodies in it, as far as the mesh goes."""
+    image = axis.tripcolor(visible(fields, shot), value, shading="gouraud", **colours)
+    if bodies is not None:
+        add_bodies(axis, bodies, shot.time)
+    (left, bottom), (right, top) = fields.points.min(axis=0), fields.points.max(axis=0)
+    axis.set(xlim=(left, right), ylim=(bottom, top))
+    finish_map(axis, scene.when(shot.time), shared=True)
+    return image
 
 
 def add_bodies(axis, bodies: results.Bodies, time: float) -> None:

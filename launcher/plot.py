@@ -7,15 +7,15 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
 
-from launcher import charts, granular, maps, obstacles, percolation, report, results, streams, surface, tractions  # noqa: E402
+from launcher import charts, granular, maps, movie, obstacles, percolation, report, results, streams, surface, tractions  # noqa: E402
 from launcher.common import Refusal  # noqa: E402
 
 STYLE = {"figure.dpi": 110, "savefig.dpi": 110, "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
          "axes.grid": False, "legend.frameon": False, "figure.constrained_layout.use": True}
 
 
-def draw(run: Path, movie: bool = False) -> list[Path]:
-    """Draws what the run has into RUN/plots, and its bodies as a movie where asked for; returns the pictures."""
+def draw(run: Path, moving: bool = False) -> list[Path]:
+    """Draws what the run has into RUN/plots, and a movie of it where asked for; returns the pictures."""
     if not run.is_dir():
         raise Refusal(f"a run folder is required; there is no {run}")
     folder = run / "plots"
@@ -57,8 +57,8 @@ def draw(run: Path, movie: bool = False) -> list[Path]:
         flow = percolation.figure(run, scene)
         if flow is not None:
             save(flow, "percolation.png")
-        if movie:
-            pictures.append(draw_movie(bodies, scene, folder))
+        if moving:
+            pictures.append(draw_movie(fields, bodies, scene, folder))
         panels = charts.panels(history)
         if panels and len(history.get("time", [])) > 1:
             save(charts.curves(history, panels), "history.png")
@@ -69,8 +69,8 @@ def draw(run: Path, movie: bool = False) -> list[Path]:
     return pictures
 
 
-def draw_movie(bodies: results.Bodies | None, scene: results.Scene, folder: Path) -> Path:
+def draw_movie(fields: results.Fields | None, bodies: results.Bodies | None, scene: results.Scene, folder: Path) -> Path:
     if bodies is None or len(bodies.time) < 2:
         raise Refusal("a movie needs bodies at two times or more in bodies.h5: set output.interval in the scene and run again")
     folder.mkdir(exist_ok=True)
-    return granular.movie(bodies, scene, folder)
+    return movie.make(fields, bodies, scene, folder)

@@ -42,6 +42,11 @@ class Snapshot:
     pressure: np.ndarray  # (points) [Pa]
     active: np.ndarray  # (cells)
 
+    @property
+    def speed(self) -> np.ndarray:
+        """(points) [m/s]"""
+        return np.linalg.norm(self.velocity, axis=1)
+
 
 @dataclass
 class Tractions:
@@ -109,9 +114,16 @@ class Fields:
     def time(self, index: int) -> float:
         return float(self.file["steps"][self.steps[index]].attrs["time"])
 
+    def times(self) -> np.ndarray:
+        """Of the snapshots [s]"""
+        return np.array([self.time(index) for index in range(len(self))])
+
     def snapshot(self, index: int) -> Snapshot:
         group = self.file["steps"][self.steps[index]]
         return Snapshot(self.time(index), group["velocity"][:], group["pressure"][:], group["active"][:] > 0)
+
+    def nearest(self, time: float) -> Snapshot:
+        return self.snapshot(int(np.argmin(np.abs(self.times() - time))))
 
 
 @contextlib.contextmanager

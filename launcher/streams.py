@@ -41,7 +41,7 @@ def close_ups(fields: results.Fields, bodies: results.Bodies | None, found: list
 
 def region(axis, fields, shot, bodies, lower, upper):
     """Speed and streamlines between two corners; returns the coloured image."""
-    triangles, speed = maps.visible(fields, shot), np.linalg.norm(shot.velocity, axis=1)
+    triangles, speed = maps.visible(fields, shot), shot.speed
     inside = ((fields.points >= lower) & (fields.points <= upper)).all(axis=1)
     image = axis.tripcolor(triangles, speed, shading="gouraud", cmap="viridis", vmin=0,
                            vmax=max(speed[inside].max(initial=0.0), 1e-300), rasterized=True)

@@ -31,7 +31,7 @@ def on_obstacles(tractions: results.Tractions | None, curves: dict[str, results.
     scale = min(10.5 / (len(panels) * size[0]), 4.8 / size[1])
     figure, axes = plt.subplots(1, len(panels), squeeze=False,
                                 figsize=(len(panels) * (size[0] * scale + 1.1), size[1] * scale + 1.0))
-    shot = nearest(fields, time)
+    shot = fields.nearest(time) if fields else None
     for axis, (name, at, traction, _), (lower, upper) in zip(axes.flat, panels, boxes):
         background(axis, fields, shot, bodies)
         arrows(axis, at, traction, radius / max(largest, 1e-300), 0.022 * radius)
@@ -54,7 +54,7 @@ def on_sides(curves: dict[str, results.Curve], fields: results.Fields, bodies: r
     width, height = upper - lower + 2 * longest
     scale = (9.5 if width > height else 6.0) / max(width, height)
     figure, axis = plt.subplots(figsize=(width * scale + 1.6, height * scale + 0.9))
-    shot = nearest(fields, time)
+    shot = fields.nearest(time) if fields else None
     image = background(axis, fields, shot, bodies)
     figure.colorbar(image, ax=axis, label="speed [m/s]", shrink=0.85, pad=0.02)
     for curve in curves.values():
@@ -88,17 +88,11 @@ def box(at, traction, outline, scale):
     return ends.min(axis=0) - margin, ends.max(axis=0) + margin
 
 
-def nearest(fields: results.Fields | None, time: float):
-    if fields is None or len(fields) == 0:
-        return None
-    return fields.snapshot(int(np.argmin([abs(fields.time(i) - time) for i in range(len(fields))])))
-
-
 def background(axis, fields, shot, bodies):
     """The speed, pale, under the arrows."""
     image = None
     if shot is not None:
-        speed = np.linalg.norm(shot.velocity, axis=1)
+        speed = shot.speed
         image = axis.tripcolor(maps.visible(fields, shot), speed, shading="gouraud", cmap=PALE,
                                vmin=0, vmax=max(speed.max(), 1e-300), rasterized=True)
     if bodies is not None and shot is not None:

@@ -1,15 +1,13 @@
-"""Pictures and movies of many grains, from a run folder made by hand."""
+"""Pictures of many grains, from a run folder made by hand."""
 
 import tempfile
 import unittest
 from pathlib import Path
-from unittest import mock
 
 import h5py
 import numpy as np
 
 from launcher import granular, plot, results
-from launcher.common import Refusal
 
 COUNT = 20
 SCENE = '''gravity = [0, 0, -9.81]
@@ -90,18 +88,6 @@ class Granular(unittest.TestCase):
         np.testing.assert_array_equal(square, [[0, 0], [1, 0], [1, 1], [0, 0]])
         triangle = view.lines({"shape": "mesh", "file": "a.stl", "scale": 0.5})[0]
         np.testing.assert_array_equal(triangle, [[0, 0.5], [1, 0.5], [0, 1.5], [0, 0.5]])
-
-    def test_a_movie_is_a_gif_where_ffmpeg_is_missing(self):
-        write_run(self.run_folder, times=3)
-        with mock.patch("shutil.which", return_value=None):
-            movie = plot.draw(self.run_folder, movie=True)[-1]
-        self.assertEqual(movie.name, "grains.gif")
-        self.assertEqual(movie.read_bytes()[:4], b"GIF8")
-
-    def test_a_movie_of_one_time_is_refused(self):
-        write_run(self.run_folder, times=1)
-        with self.assertRaises(Refusal):
-            plot.draw(self.run_folder, movie=True)
 
 
 if __name__ == "__main__":
