@@ -63,7 +63,7 @@ def sampled_velocity(fields: results.Fields, shot: results.Snapshot, bodies: res
     velocity = np.ma.stack([LinearTriInterpolator(triangles, part)(*at.T) for part in shot.velocity.T], axis=1)
     shown = ~np.ma.getmaskarray(velocity).any(axis=1)
     if bodies is not None:
-        for outline in bodies.outlines(shot.time).values():
+        for outline in bodies.images(shot.time):
             shown &= ~Path(outline).contains_points(at)
     size = np.linalg.norm(velocity.filled(0.0), axis=1)
     shown &= size > SMALLEST_ARROW * size.max(initial=0.0)
@@ -112,7 +112,7 @@ def panel(axis, fields, shot, value, bodies, scene, **colours):
 
 
 def add_bodies(axis, bodies: results.Bodies, time: float) -> None:
-    outlines = [Polygon(outline) for outline in bodies.outlines(time).values()]
+    outlines = [Polygon(outline) for outline in bodies.images(time)]
     axis.add_collection(PatchCollection(outlines, facecolor="0.88", edgecolor="0.15", linewidth=0.8, zorder=3))
 
 

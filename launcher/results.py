@@ -76,6 +76,7 @@ class Bodies:
     velocity: np.ndarray  # (times, bodies, 3) [m/s]
     angle: np.ndarray  # (times, bodies) about z [rad]
     vertices: list[np.ndarray | None] = field(default_factory=list)  # of polygons: (corners, 2) from the position [m]
+    periodic: dict[int, tuple[float, float]] = field(default_factory=dict)  # by axis: lower and upper plane [m]
 
     def outlines(self, time: float) -> dict[int, np.ndarray]:
         """Points around each body that is there at the written time nearest to `time`."""
@@ -90,6 +91,16 @@ class Bodies:
             if np.isnan(self.position[index, i, 0]):
                 continue  # it left
             found[i] = self.position[index, i, :2] + polygon @ np.array([[cosine, sine], [-sine, cosine]])
+        return found
+
+    def images(self, time: float) -> list[np.ndarray]:
+        """The outlines, in a periodic box wherever they reach into it."""
+        found = list(self.outlines(time).values())
+        for axis, (lower, upper) in self.periodic.items():
+            shift = (upper - lower) * np.eye(2)[axis]
+            home = [one - shift * np.floor((one[:, axis].mean() - lower) / (upper - lower)) for one in found]
+            found = [one + times * shift for one in home for times in (-1, 0, 1)
+                     if (one + times * shift)[:, axis].max() > lower and (one + times * shift)[:, axis].min() < upper]
         return found
 
     def at(self, time: float) -> np.ndarray:
@@ -137,11 +148,9 @@ def reading(path: Path):
 
 
 def read_scene(run: Path) -> Scene:
-    path = run / "scene.toml"
-    if not path.exists():
+    scene = scene_of(run)
+    if not scene:
         return Scene()
-    with reading(path), path.open("rb") as file:
-        scene = tomllib.load(file)
     fluid = scene.get("fluid", {})
     boundaries, mesh = fluid.get("boundaries", {}).values(), fluid.get("mesh", {})
     gravity = np.abs(scene.get("gravity", [0, 0]))
@@ -159,18 +168,22 @@ def read_fields(run: Path) -> Fields | None:
         return Fields(path)
 
 
-def polygons(run: Path) -> list[np.ndarray | None]:
-    """The vertices of each body of the scene, None of a disc."""
+def scene_of(run: Path) -> dict:
+    """scene.toml; empty where there is none."""
     path = run / "scene.toml"
     if not path.exists():
-        return []
+        return {}
     with reading(path), path.open("rb") as file:
-        bodies = tomllib.load(file).get("bodies", [])
-        return [np.reshape(body["vertices"], (-1, 2)) if body.get("vertices") else None for body in bodies]
+        return tomllib.load(file)
+
+
+def polygons(scene: dict) -> list[np.ndarray | None]:
+    """The vertices of each body of the scene, None of a disc."""
+    return [np.reshape(body["vertices"], (-1, 2)) if body.get("vertices") else None for body in scene.get("bodies", [])]
 
 
 def read_bodies(run: Path) -> Bodies | None:
-    path = run / "bodies.h5"
+    path, scene = run / "bodies.h5", scene_of(run)
     if not path.exists():
         return None
     with reading(path), h5py.File(path, "r") as file:
@@ -178,7 +191,8 @@ def read_bodies(run: Path) -> Bodies | None:
             return None
         names = [name.decode() if isinstance(name, bytes) else str(name) for name in file["name"][:]]
         return Bodies(names, file["radius"][:], file["time"][:], file["position"][:], file["velocity"][:],
-                      file["rotation"][:, :, 2], polygons(run))
+                      file["rotation"][:, :, 2], polygons(scene),
+                      {axis: tuple(planes) for axis, name in enumerate("xy") if (planes := scene.get("periodic", {}).get(name))})
 
 
 def read_curves(run: Path, name: str, quantity: str) -> tuple[float, dict[str, Curve]]:
@@ -228,11 +242,7 @@ def read_tractions(run: Path, bodies: Bodies | None) -> Tractions | None:
 
 def read_profile_quantities(run: Path) -> dict[str, str]:
     """What each profile of the scene shows."""
-    path = run / "scene.toml"
-    if not path.exists():
-        return {}
-    with reading(path), path.open("rb") as file:
-        return {profile["name"]: profile["quantity"] for profile in tomllib.load(file).get("profiles", [])}
+    return {profile["name"]: profile["quantity"] for profile in scene_of(run).get("profiles", [])}
 
 
 def read_history(run: Path) -> dict[str, np.ndarray]:

@@ -186,6 +186,13 @@ class Plot(unittest.TestCase):
         np.testing.assert_allclose(blade[0], [2, 3 + np.sqrt(2)])
         np.testing.assert_allclose(np.linalg.norm(disc - [2, 3], axis=1), 0.5)
 
+    def test_a_body_is_seen_wherever_it_reaches_into_a_periodic_box(self):
+        at = np.array([[[0.5, 2.95, 0], [0.5, -0.5, 0]]])  # across the upper plane after two rounds; beyond the lower one
+        bodies = results.Bodies(["across", "beyond"], np.array([0.1, 0.1]), np.array([0.0]), at, np.zeros_like(at), np.zeros((1, 2)),
+                                periodic={1: (0.0, 1.0)})
+        centres = sorted(tuple(outline.mean(axis=0).round(9)) for outline in bodies.images(0.0))
+        self.assertEqual(centres, [(0.5, -0.05), (0.5, 0.5), (0.5, 0.95)])
+
     def test_a_body_that_left_has_no_outline(self):
         nowhere = np.full(3, np.nan)
         bodies = results.Bodies(["gone", "there"], np.array([0.1, 0.5]), np.array([0.0]),
