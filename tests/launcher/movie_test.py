@@ -29,8 +29,8 @@ class Movie(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
     def test_it_is_an_mp4_where_there_is_ffmpeg(self):
-        plot_test.write_run(self.run_folder)
-        path = next(path for path in plot.draw(self.run_folder, moving=True) if path.suffix != ".png")
+        granular_test.write_run(self.run_folder, times=3)
+        path = movie.make(None, results.read_bodies(self.run_folder), results.read_scene(self.run_folder), self.run_folder)
         self.assertEqual(path.name, "grains.mp4")
         self.assertEqual(path.read_bytes()[4:8], b"ftyp")
 
