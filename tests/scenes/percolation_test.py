@@ -38,9 +38,20 @@ class Scenes(SceneCase):
         self.assertEqual(outlet["count"], len(left))
         self.assertEqual(outlet["mass"], sum((row["mass"] for row in left), 0.0))
 
+    def flow_through(self, x: float) -> float:
+        """What passes an upright line of nodes at the end [m²/s]: Simpson's rule is exact for quadratic elements."""
+        import h5py
+
+        with h5py.File(self.run_folder / "fields.h5") as file:
+            last = file["steps"][sorted(file["steps"])[-1]]
+            line = sorted((y, u) for (at, y), u in zip(file["mesh/points"][:, :2], last["velocity"][:, 0]) if abs(at - x) < 1e-9)
+        y, u = zip(*line)
+        return sum((y[i + 2] - y[i]) / 6 * (u[i] + 4 * u[i + 1] + u[i + 2]) for i in range(0, len(y) - 2, 2))
+
     def test_percolation_constriction(self):
-        """With friction an arch holds what is left at rest and the pressure up; without, nearly all pass at less pressure."""
-        summary = self.run_scene("percolation_constriction", "output.fields=false")
+        """With friction an arch holds what is left at rest and the pressure up; without, none forms and the pressure is low."""
+        summary = self.run_scene("percolation_constriction")
+        self.assert_near(self.flow_through(4e-3), 8e-3 * 9e-3, 1e-2)
         start = self.rows("percolation_constriction_packing.csv")
         self.assert_nothing_is_lost(summary["outlets"][0], start)
         held, clogged = summary["grains"][0], self.history()
@@ -50,7 +61,8 @@ class Scenes(SceneCase):
 
         summary = self.run_again("percolation_constriction", "output.fields=false", "materials.0.friction=0", "time.end=1.2")
         self.assert_nothing_is_lost(summary["outlets"][0], start)
-        self.assertGreaterEqual(summary["outlets"][0]["count"], 40)
+        self.assertGreaterEqual(summary["outlets"][0]["count"], 35)
+        self.assertGreater(summary["grains"][0]["velocity"][0], 1e-3, "the others are on their way")
         self.assertGreater(-clogged["left.fx"][-1], 5 * max(-force for force in self.history()["left.fx"][-20:]))
 
     def test_percolation_piping(self):
