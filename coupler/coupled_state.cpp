@@ -22,6 +22,7 @@ void put_numbers(const CoupledState& state, NumbersByName& numbers) {
     put("force", load.force);
     put("torque", load.torque);
   }
+  for (const Eigen::Vector3d& centre : state.cut_at) put("cut_at", centre);
   put("contacts", state.contacts);
   put("left", state.left);
   put("onset", state.onset ? std::vector{state.onset->time, static_cast<double>(state.onset->body)}
@@ -42,6 +43,7 @@ void take_numbers(const NumbersByName& numbers, CoupledState& state) {
                         .velocity = triple("velocity", i),
                         .spin = triple("spin", i)};
     state.loads[i] = {.force = triple("force", i), .torque = triple("torque", i)};
+    state.cut_at[i] = triple("cut_at", i);
   }
   const std::vector<double>& contacts = numbers.at("contacts");
   state.contacts.assign(contacts.begin(), contacts.end());

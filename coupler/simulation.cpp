@@ -53,6 +53,7 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
       motion = prescribed_.back()->with_velocities(motion, 0);
     }
     accepted_.motions.push_back(motion);
+    accepted_.cut_at.push_back(motion.position);
   }
   accepted_.loads.resize(scene.bodies.size());
   if (scene.fluid) float_in_still_fluid();
@@ -202,6 +203,7 @@ void Simulation::begin_trial(double start, double end, double time_step) {
   trial_.state.loads = accepted_.loads;
   for (std::size_t i = 0; i < moving_walls_.size(); ++i)
     trial_.state.walls.push_back(moving_walls_[i].advanced(accepted_.walls[i], start, end));
+  trial_.state.cut_at = accepted_.cut_at;
   trial_.state.contacts = accepted_.contacts;
   trial_.state.left = accepted_.left;
   trial_.state.departed = accepted_.departed;
@@ -227,10 +229,18 @@ void Simulation::place_bodies(double start, const Eigen::VectorXd& predicted) {
       placed = trial_.state.motions[i] = prescribed_[i]->advanced(before, start, trial_.end);
     } else {
       placed.position = coupling::trapezoidal_position(before, placed.velocity, trial_.time_step);
+      if (stays_cut(i)) placed.position = accepted_.cut_at[i];
     }
+    trial_.state.cut_at[i] = placed.position;
     if (!solvers_.has_fluid()) continue;
     trial_.state.arcs.push_back(accepted_.is_there(i) ? outline(i, placed) : coupling::Arcs{});
   }
+}
+
+/// Whether a body rests, as far as the fluid's geometry is concerned.
+bool Simulation::stays_cut(std::size_t body) const {
+  return solvers_.has_fluid() && (trial_.placed[body].position - accepted_.cut_at[body]).norm() <=
+                                     scene_.coupling.hold_below * element_size(body);
 }
 
 coupling::Arcs Simulation::outline(std::size_t body, const coupling::RigidMotion& placed) const {

@@ -55,6 +55,7 @@ class Simulation {
   void float_in_still_fluid();
   void begin_trial(double start, double end, double time_step);
   void place_bodies(double start, const Eigen::VectorXd& predicted);
+  bool stays_cut(std::size_t body) const;
   coupling::Arcs outline(std::size_t body, const coupling::RigidMotion& placed) const;
   void foresee_contacts(double start, Eigen::VectorXd& velocities, Eigen::VectorXd& force_of_dem);
   bool bodies_act(const Eigen::VectorXd& force_of_dem) const;

@@ -16,6 +16,7 @@ BUILD = {
     "libeigen3-dev": "dense and sparse matrices",
     "libsuitesparse-dev": "UMFPACK, the sparse direct solver",
     "libmumps-seq-dev": "MUMPS, the faster one of the two direct solvers",
+    "libmetis-dev": "METIS, the order in which unknowns are eliminated",
     "libopenblas-dev": "the dense kernels under UMFPACK",
     "libzmq3-dev": "messages between the programs",
     "cppzmq-dev": "the same in C++",

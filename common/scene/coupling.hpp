@@ -19,6 +19,7 @@ struct Coupling {
   std::int64_t max_iterations = 50;
   std::string predictor = "auto";
   double recut_above = 0.1;         ///< of h
+  double hold_below = 1e-3;         ///< of h
   double participant_timeout = 10;  ///< [s] without any sign of life
 
   static constexpr std::array<std::string_view, 4> schemes{"auto", "implicit", "semi_implicit", "explicit"};
@@ -66,6 +67,11 @@ struct Coupling {
          "where a body ends farther than this from where it was predicted, in element sizes beside it, the "
          "geometry is cut anew and the step repeated from there; 0: never"},
         recut_above, not_negative());
+    v.real(
+        {"hold_below", "h",
+         "a free body that stays this close to where it was last cut, in element sizes beside it, is not cut "
+         "anew: while all do, the matrix keeps its factor; 0: every step cuts"},
+        hold_below, not_negative());
     v.real({"participant_timeout", "s", "a participant silent for this long has vanished"},
            participant_timeout, between(1, 3600));
   }

@@ -240,11 +240,12 @@ struct Fluid {
         {"viscous_form", "",
          "symmetric: 2μ ε(u):ε(w), traction σn at open boundaries; gradient: μ ∇u:∇w, as the DFG references"},
         viscous_form, viscous_forms);
-    v.choice({"linear_solver", "",
-              "direct solver: umfpack; mumps, the faster one of large meshes, where the build has it "
-              "(libmumps-seq-dev); auto: umfpack, but mumps in steps in which bodies touch, as it tells the "
-              "grains how the fluid resists them"},
-             linear_solver, linear_solvers);
+    v.choice(
+        {"linear_solver", "",
+         "direct solver: umfpack; mumps, where the build has it (libmumps-seq-dev); auto: mumps from 30 000 "
+         "unknowns on, where it is the faster one, and in steps in which bodies touch, as it tells the "
+         "grains how the fluid resists them; else umfpack"},
+        linear_solver, linear_solvers);
     v.real({"newmark_gamma", "",
             "γ of Newmark's method: 0.5 second order, 1 backward Euler; where bodies move, any below 1 means "
             "BDF2"},

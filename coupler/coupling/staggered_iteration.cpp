@@ -78,7 +78,10 @@ StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorX
     }
     best.take(scaled, residual);
     if (const Stall stall = watch.add(residual); stall != Stall::none) {
-      const Remedy remedy{static_cast<int>(result.stalls.size())};
+      // Two answers in turn from Newton's iteration: the map jumps between them, at an impact that the step
+      // does or does not see, and only another step sees it otherwise.
+      const bool jumps = exchange.is_newton && stall == Stall::cycle;
+      const Remedy remedy = jumps ? Remedy::shorter_step : Remedy{static_cast<int>(result.stalls.size())};
       result.stalls.push_back({stall, remedy, result.worst});
       if (remedy == Remedy::shorter_step) break;
       if (remedy == Remedy::aitken) fallback.emplace(std::min(0.5, parameters_.relaxation));

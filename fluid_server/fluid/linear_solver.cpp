@@ -15,23 +15,30 @@ namespace {
 struct Backend {
   std::string_view name;
   bool gives_schur_complements;
-  std::shared_ptr<const Analysis> (*analyse)(const BlockMatrix&, std::span<const Index> last);
+  Index best_from;  ///< unknowns, from which it is the fastest
+  std::shared_ptr<const Analysis> (*analyse)(const BlockMatrix&, std::span<const Cluster>,
+                                             std::span<const Index> last);
 };
 
 constexpr auto backends = std::to_array<Backend>({
-    {"umfpack", false,
-     [](const BlockMatrix& matrix, std::span<const Index>) { return analyse_with_umfpack(matrix); }},
+    {"umfpack", false, 0,
+     [](const BlockMatrix& matrix, std::span<const Cluster>, std::span<const Index>) {
+       return analyse_with_umfpack(matrix);
+     }},
 #ifdef FPI_MUMPS
-    {"mumps", true, analyse_with_mumps},
+    {"mumps", true, 30'000, analyse_with_mumps},
 #endif
 });
 
-/// The first that has the name, or any where it is "auto"; null where there is none.
-const Backend* find(std::string_view name, bool with_schur_complement) {
-  const auto* backend = std::ranges::find_if(backends, [&](const Backend& b) {
-    return (name == "auto" || name == b.name) && (b.gives_schur_complements || !with_schur_complement);
-  });
-  return backend == backends.end() ? nullptr : backend;
+/// The one that has the name or, where it is "auto", suits best; null where none does.
+const Backend* find(std::string_view name, bool with_schur_complement, Index n) {
+  const Backend* best = nullptr;
+  for (const Backend& backend : backends) {
+    if (name != "auto" && name != backend.name) continue;
+    if (with_schur_complement && !backend.gives_schur_complements) continue;
+    if (best == nullptr || n >= backend.best_from) best = &backend;
+  }
+  return best;
 }
 
 }  // namespace
@@ -61,24 +68,24 @@ std::vector<std::string_view> linear_solvers() {
 }
 
 void check_linear_solver(std::string_view solver) {
-  require(find(solver, false) != nullptr,
+  require(find(solver, false, 0) != nullptr,
           "linear_solver must be auto or one that this build has ({}); got \"{}\": take one of these, or "
           "install its library and build again (for mumps: libmumps-seq-dev, -DFPI_MUMPS=ON)",
           fmt::join(linear_solvers(), ", "), solver);
 }
 
-bool gives_schur_complements(std::string_view solver) { return find(solver, true) != nullptr; }
+bool gives_schur_complements(std::string_view solver) { return find(solver, true, 0) != nullptr; }
 
 std::shared_ptr<const Analysis> analyse(const BlockMatrix& matrix, std::string_view solver,
-                                        std::span<const Index> last) {
+                                        std::span<const Cluster> clusters, std::span<const Index> last) {
   require(matrix.n() > 0,
           "at least one unknown is required; got none: the boundaries prescribe every velocity, take a finer "
           "mesh");
   check_linear_solver(solver);
-  const Backend* backend = find(solver, !last.empty());
+  const Backend* backend = find(solver, !last.empty(), matrix.n());
   require(backend != nullptr, "a linear solver that gives Schur complements is required; {} does not",
           solver);
-  return backend->analyse(matrix, last);
+  return backend->analyse(matrix, clusters, last);
 }
 
 }  // namespace fpi::fluid

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fluid/block_matrix.hpp"
+#include "fluid/nested_dissection.hpp"
 #include "fluid/types.hpp"
 
 namespace fpi::fluid {
@@ -75,10 +76,12 @@ void check_linear_solver(std::string_view solver);
 /// Whether the factors of a solver give Schur complements; "auto" does where one of this build's does.
 bool gives_schur_complements(std::string_view solver);
 
-/// Analyses the pattern of `matrix` with one of `linear_solvers()`, or the first that suits ("auto"). The
-/// unknowns `last` are eliminated last, so that factors have their Schur complement, which the solver must be
-/// one to give. Throws Error for a matrix without unknowns.
+/// Analyses the pattern of `matrix` with one of `linear_solvers()`, or the one that suits best ("auto"). The
+/// `clusters` are all unknowns by place, where they are known. The unknowns `last`, whole clusters, are
+/// eliminated last, so that factors have their Schur complement, which the solver must be one to give. Throws
+/// Error for a matrix without unknowns.
 std::shared_ptr<const Analysis> analyse(const BlockMatrix& matrix, std::string_view solver,
+                                        std::span<const Cluster> clusters = {},
                                         std::span<const Index> last = {});
 
 }  // namespace fpi::fluid

@@ -25,13 +25,18 @@ constexpr int structurally_singular = -6, integer_space = -8, real_space = -9, s
               no_memory_for_integers = -7, no_memory = -13, too_many_integers = -19;
 }
 
-/// The pattern as MUMPS wants it: rows, columns and unknowns to be kept for last from 1.
+/// The pattern as MUMPS wants it, all numbers from 1.
 struct Pattern {
   Index n;
   std::vector<MUMPS_INT> rows, columns, last;
+  std::vector<MUMPS_INT> turn;  ///< of each unknown to be eliminated
 
-  Pattern(const BlockMatrix& matrix, std::span<const Index> kept_for_last) : n(matrix.n()) {
+  Pattern(const BlockMatrix& matrix, std::span<const Cluster> clusters, std::span<const Index> kept_for_last)
+      : n(matrix.n()), turn(n) {
     for (const Index unknown : kept_for_last) last.push_back(unknown + 1);
+    MUMPS_INT next = 1;
+    for (const Index unknown : nested_dissection(matrix, clusters, kept_for_last)) turn[unknown] = next++;
+    for (const Index unknown : kept_for_last) turn[unknown] = next++;
     rows.reserve(matrix.non_zeros());
     columns.reserve(matrix.non_zeros());
     for (Index c = 0; c < n; ++c)
@@ -55,8 +60,9 @@ class Instance {
       icntl(output) = -1;
     icntl(control::verbosity) = 0;
     icntl(control::transversal) = 0;  // rows are not exchanged: the pattern is symmetric
-    icntl(control::ordering) = 4;     // PORD: the fewest operations on these matrices
-    icntl(control::refinement) = 0;   // left to the outer iteration
+    icntl(control::ordering) = 1;     // given
+    m_.perm_in = const_cast<MUMPS_INT*>(pattern_->turn.data());
+    icntl(control::refinement) = 0;  // left to the outer iteration
     icntl(control::memory_relaxation) = 30;
     m_.cntl[0] = 1e-3;  // pivot threshold
     m_.n = pattern_->n;
@@ -153,8 +159,8 @@ class Instance {
 /// analyses again; every instance analyses alike, so which of them serves makes no difference.
 class Instances {
  public:
-  Instances(const BlockMatrix& matrix, std::span<const Index> last)
-      : pattern_(std::make_shared<Pattern>(matrix, last)) {
+  Instances(const BlockMatrix& matrix, std::span<const Cluster> clusters, std::span<const Index> last)
+      : pattern_(std::make_shared<Pattern>(matrix, clusters, last)) {
     give_back(std::make_unique<Instance>(pattern_));
   }
   std::unique_ptr<Instance> borrow() {
@@ -198,8 +204,8 @@ class MumpsFactor final : public Factor {
 
 class MumpsAnalysis final : public Analysis {
  public:
-  MumpsAnalysis(const BlockMatrix& matrix, std::span<const Index> last)
-      : Analysis(matrix), instances_(std::make_shared<Instances>(matrix, last)) {}
+  MumpsAnalysis(const BlockMatrix& matrix, std::span<const Cluster> clusters, std::span<const Index> last)
+      : Analysis(matrix), instances_(std::make_shared<Instances>(matrix, clusters, last)) {}
 
  private:
   std::shared_ptr<const Factor> make_factor(const BlockMatrix& matrix) const override {
@@ -211,8 +217,10 @@ class MumpsAnalysis final : public Analysis {
 
 }  // namespace
 
-std::shared_ptr<const Analysis> analyse_with_mumps(const BlockMatrix& matrix, std::span<const Index> last) {
-  return std::make_shared<MumpsAnalysis>(matrix, last);
+std::shared_ptr<const Analysis> analyse_with_mumps(const BlockMatrix& matrix,
+                                                   std::span<const Cluster> clusters,
+                                                   std::span<const Index> last) {
+  return std::make_shared<MumpsAnalysis>(matrix, clusters, last);
 }
 
 }  // namespace fpi::fluid

@@ -7,6 +7,8 @@
 namespace fpi::fluid {
 
 /// The unknowns `last` have a Schur complement.
-std::shared_ptr<const Analysis> analyse_with_mumps(const BlockMatrix& matrix, std::span<const Index> last);
+std::shared_ptr<const Analysis> analyse_with_mumps(const BlockMatrix& matrix,
+                                                   std::span<const Cluster> clusters,
+                                                   std::span<const Index> last);
 
 }  // namespace fpi::fluid

@@ -102,8 +102,9 @@ NewtonResult NavierStokes::start_step(const Request& request) {
       with_multipliers(follow ? predicted_velocity(start_, request.time_step) : start_.u, start_.p);
   if (start_.damped_steps > 0) return result;  // with the factor of the first half
   base_.factor = nullptr;
-  if (system_ == accepted_system_ && !request.wants_resistance)
-    kept_.lend(base_, time_terms_.inertia, flow_.convection == 0);
+  if (system_ == accepted_system_) kept_.lend(base_, time_terms_.inertia, flow_.convection == 0);
+  if (system_->factors_have_resistance() && base_.factor && base_.factor->schur_complement().size() == 0)
+    base_.factor = nullptr;
   return result;
 }
 

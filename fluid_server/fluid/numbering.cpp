@@ -43,6 +43,10 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
     }
   }
 
+  const auto close_cluster = [&out] {
+    const Index first = out.clusters.empty() ? 0 : out.clusters.back().end;
+    if (out.n_equations > first) out.clusters.push_back({first, out.n_equations});
+  };
   // Cell by cell, so that what an element couples lies close together in the matrix.
   std::vector<std::uint8_t> is_numbered(mesh.n_nodes(), 0);
   for (Index c = 0; c < mesh.n_cells(); ++c) {
@@ -53,12 +57,18 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
       if (constraint == Constraint::none) out.velocity[2 * node] = out.n_equations++;
       if (constraint != Constraint::both) out.velocity[2 * node + 1] = out.n_equations++;
       if (node < mesh.n_vertices() && out.pressure[node] == wanted) out.pressure[node] = out.n_equations++;
+      close_cluster();
     }
   }
-  for (Index& equation : out.multiplier)
-    if (equation == wanted) equation = out.n_equations++;
-  for (const Interface& interface : interfaces)
+  for (Index m = 0; m < cut.n_multipliers(); ++m) {
+    for (const Index i : {2 * m, 2 * m + 1})
+      if (out.multiplier[i] == wanted) out.multiplier[i] = out.n_equations++;
+    close_cluster();
+  }
+  for (const Interface& interface : interfaces) {
     for (int i = 0; i < 3; ++i) out.rigid.push_back(interface.balance ? out.n_equations++ : absent);
+    close_cluster();
+  }
   return out;
 }
 

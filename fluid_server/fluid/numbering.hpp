@@ -8,6 +8,7 @@
 
 #include "fluid/boundary.hpp"
 #include "fluid/components.hpp"
+#include "fluid/nested_dissection.hpp"
 
 namespace fpi::fluid {
 
@@ -19,6 +20,7 @@ struct Numbering {
   std::vector<Index> pinned;      ///< vertices whose pressure is set to 0
   std::vector<std::uint8_t> node_is_active;
   Index n_equations = 0;
+  std::vector<Cluster> clusters;  ///< the unknowns by place: nodes, multipliers, bodies; together all of them
 };
 
 /// A multiplier is in the system where more than a twentieth of its function lies in the fluid.

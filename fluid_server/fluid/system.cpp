@@ -278,7 +278,7 @@ std::shared_ptr<const Factor> System::factor_of_matrix(Ledger& ledger) {
   if (!analysis_) {
     const std::vector<Index> rigid =
         wants_resistance_ ? free_bodies_.unknowns(numbering_) : std::vector<Index>{};
-    analysis_ = analyse(matrix_, linear_solver_, rigid);
+    analysis_ = analyse(matrix_, linear_solver_, numbering_.clusters, rigid);
     ledger.counts["analyses"] += 1;
   }
   return analysis_->factor(matrix_);
@@ -299,7 +299,7 @@ std::shared_ptr<const Factor> System::factor(Ledger& ledger) {
 }
 
 void System::want_resistance(bool wanted) {
-  wanted = wanted && !free_bodies_.empty() && gives_schur_complements(linear_solver_);
+  wanted = wanted && !free_bodies_.empty() && drives_.size() == 0 && gives_schur_complements(linear_solver_);
   if (std::exchange(wants_resistance_, wanted) != wanted) analysis_.reset();
 }
 

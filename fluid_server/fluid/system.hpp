@@ -119,6 +119,7 @@ class System {
   /// Whether factors are to have the Schur complement of the bodies that the fluid moves, which tells how it
   /// resists them; where the linear solver cannot give it, or drives are unknowns, they have none.
   void want_resistance(bool wanted);
+  bool factors_have_resistance() const { return wants_resistance_; }
   /// 1 for each equation of a velocity, 0 for all else: that follows from the velocities.
   Vector velocity_weight() const;
   /// "the largest residual is at (x, y) m", of the gathered residual.

@@ -135,6 +135,31 @@ TEST_F(RunTest, the_geometry_is_cut_anew_where_a_body_was_missed_by_more_than_al
   EXPECT_LT(recuts(0.05, "auto"), 3u);
 }
 
+TEST_F(RunTest, a_body_is_cut_where_it_was_until_it_has_moved_by_what_is_allowed) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  const double h = fluid.arc_length / scene.fluid->embedding.arc_ratio;
+  const auto places = [&](double hold_below) {
+    scene.coupling.hold_below = hold_below;
+    FakeFluid own_fluid;
+    FakeDem own_dem = new_dem();
+    const TemporaryFolder own_folder;
+    CoupledRun run(scene, {&own_fluid, &own_dem, true, true}, own_folder.path(), 1, ledger);
+    run.start({});
+    std::vector<double> moved{3};
+    run.on_progress = [&](const Standing&) {
+      const double cut_at = own_fluid.asked.back().interfaces[0].centre[1];
+      EXPECT_LE(std::abs(cut_at - run.simulation().state().motions[0].position.y()), (hold_below + 1e-6) * h);
+      if (cut_at != moved.back()) moved.push_back(cut_at);
+    };
+    run.march();
+    return moved.size() - 1;
+  };
+  EXPECT_EQ(places(0), 12u);
+  EXPECT_EQ(places(1e3), 0u);
+  EXPECT_GT(places(2), 1u);
+  EXPECT_LT(places(2), 8u);
+}
+
 TEST_F(RunTest, the_smallest_step_is_taken_whatever_its_error) {
   scene::Scene scene = make_scene({disc("post", "fixed")});
   scene.time.relative_tolerance = 1e-3;

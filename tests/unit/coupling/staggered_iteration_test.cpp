@@ -55,6 +55,26 @@ TEST(StaggeredIteration, a_constant_map_takes_one_relaxed_iterate_and_a_verifyin
   EXPECT_EQ(result.velocity.largest, 0);
 }
 
+/// No iterate is answered by itself: 0.6 by −0.2, 0.4 by 1.2, and so on.
+TEST(StaggeredIteration, where_newtons_answers_alternate_the_step_is_given_up_soon) {
+  Problem p;
+  const CoupledMap jump = [](const Eigen::VectorXd& x, std::uint32_t) {
+    const Eigen::VectorXd image = Eigen::Vector3d(x[0] > 0.5 ? -0.2 : 1.2, 0, 0);
+    return Exchange{.converged = true,
+                    .reason = "",
+                    .residual = image - x,
+                    .is_newton = true,
+                    .velocities = image,
+                    .forces = 10 * image};
+  };
+  const StepResult result =
+      StaggeredIteration(p.parameters, p.dofs).solve(jump, p.guess, p.dofs.inertia(), p.time_step);
+  EXPECT_FALSE(result.converged);
+  EXPECT_LT(result.sub_iterations, 10u);
+  ASSERT_EQ(result.stalls.size(), 1u);
+  EXPECT_EQ(result.stalls[0].remedy, Remedy::shorter_step);
+}
+
 TEST(StaggeredIteration, a_guess_that_comes_true_takes_one_exchange) {
   Problem p;
   p.guess = p.map.fixed_point;

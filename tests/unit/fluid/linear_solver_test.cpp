@@ -153,7 +153,7 @@ TEST_P(DirectSolver, solves_alike_and_gives_the_schur_complement_of_unknowns_kep
   if (!gives_schur_complements(GetParam())) GTEST_SKIP() << GetParam() << " gives none";
   const SaddlePoint system;
   const std::vector<Index> last{17, 3, 42};
-  const auto factor = analyse(system.matrix, GetParam(), last)->factor(system.matrix);
+  const auto factor = analyse(system.matrix, GetParam(), {}, last)->factor(system.matrix);
   EXPECT_LT((factor->solve(system.dense * x) - x).norm(), 1e-9);
   EXPECT_LT((factor->solve_transposed(system.dense.transpose() * x) - x).norm(), 1e-9);
   const Eigen::MatrixXd inverse = system.dense.inverse();

@@ -107,6 +107,26 @@ TEST(FreeBody, resistance_tells_what_forces_on_all_bodies_change) {
   EXPECT_LT((before.resistance * change - push).norm(), 1e-8 * push.norm());
 }
 
+/// Bodies that rest, to the bit, leave the matrix as it was.
+TEST(FreeBody, resistance_and_factor_are_kept_while_no_body_is_moved) {
+  auto settings = closed_box();
+  settings.fluid.convection = false;
+  settings.fluid.newmark_gamma = 1;  // the same inertia in every step
+  if (!gives_schur_complements(settings.fluid.linear_solver)) GTEST_SKIP() << "no linear solver gives it";
+  NavierStokes solver(square(20), settings);
+  Request request{time_step, time_step, 0, {}, true};
+  request.interfaces = {falling(0, {0.3, 0.62}, 0.5, {}), falling(1, {0.53, 0.41}, 2, {})};
+  std::vector<Result> results;
+  for (int step = 0; step < 3; ++step, request.time += time_step) {
+    results.push_back(solver.advance(request));
+    ASSERT_TRUE(results.back().newton.converged) << results.back().newton.reason;
+    solver.accept();
+  }
+  EXPECT_EQ(solver.monitor.ledger.counts["factorisations"], 1);
+  ASSERT_EQ(results[2].resistance.rows(), 6);
+  EXPECT_EQ(results[2].resistance, results[0].resistance);
+}
+
 /// Without inertia and torque a disc turns at half the shear rate in Stokes flow (Jeffery 1922); far walls
 /// that keep the undisturbed shear change that by (R/L)⁴.
 TEST(FreeBody, a_disc_in_stokes_shear_turns_at_half_the_shear_rate) {
