@@ -259,6 +259,7 @@ std::string to_json(const Summary& s) {
               {"boundaries", boundaries(s)},
               {"drives", s.drives},
               {"force_balance", force_balance(s)},
+              {"volume_balance", figures_after(s, "volume:")},
               {"coefficients", s.coefficients},
               {"probes", s.probes},
               {"signals", signals(s)},

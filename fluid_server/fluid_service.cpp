@@ -1,6 +1,7 @@
 #include "fluid_service.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/error.hpp"
 #include "core/log.hpp"
@@ -183,6 +184,8 @@ proto::Figures FluidService::report() {
     figures.insert(figures.end(), terms.begin(), terms.end());
     log::info("forces on the fluid add up to {:.2g} of the largest", balance->relative());
   }
+  if (const auto balance = solver_->volume_balance())
+    std::ranges::move(volume_figures(scene_.thickness, *balance), std::back_inserter(figures));
   for (const auto& [name, seconds] : solver_->monitor.ledger.seconds)
     figures.emplace_back("seconds:" + name, seconds);
   for (const auto& [name, count] : solver_->monitor.ledger.counts) figures.emplace_back(name, count);

@@ -89,6 +89,13 @@ proto::Figures balance_figures(double thickness, const ForceBalance& balance) {
   return figures;
 }
 
+proto::Figures volume_figures(double thickness, const VolumeBalance& balance) {
+  proto::Figures figures;
+  for (const auto& [name, inflow] : balance.terms) figures.emplace_back("volume:" + name, thickness * inflow);
+  figures.emplace_back("volume:rest", thickness * balance.rest());
+  return figures;
+}
+
 proto::Figures final_figures(const scene::Scene& scene, const NavierStokes& solver) {
   proto::Figures figures;
   for (const BoundaryCurve& curve : solver.boundary_curves()) {

@@ -23,6 +23,8 @@ proto::Figures final_figures(const scene::Scene& scene, const NavierStokes& solv
 
 /// "balance_x:TERM", "balance_y:TERM" [N], and "balance:rest", what they add up to over the largest.
 proto::Figures balance_figures(double thickness, const ForceBalance& balance);
+/// "volume:TERM" [m³/s] into the fluid, and "volume:rest", what they add up to.
+proto::Figures volume_figures(double thickness, const VolumeBalance& balance);
 
 /// Traction [Pa] on the boundaries that hold the fluid; none before the first accepted step.
 std::vector<proto::Curve> boundary_curves(const NavierStokes& solver);

@@ -110,6 +110,11 @@ std::optional<ForceBalance> NavierStokes::force_balance() {
                               boundary_curves(), boundary_tractions_);
 }
 
+std::optional<VolumeBalance> NavierStokes::volume_balance() const {
+  if (!accepted_system_ || last_) return std::nullopt;
+  return fluid::volume_balance(*accepted_system_, current_.fields.u);
+}
+
 std::map<std::string, double> NavierStokes::found_drives() const {
   std::map<std::string, double> out;
   if (!accepted_system_) return out;

@@ -17,6 +17,7 @@
 #include "fluid/motion.hpp"
 #include "fluid/percolation.hpp"
 #include "fluid/state.hpp"
+#include "fluid/volume_balance.hpp"
 
 namespace fpi::fluid {
 
@@ -108,6 +109,7 @@ class NavierStokes {
   const std::vector<BoundaryTraction>& boundary_tractions() const { return boundary_tractions_; }
   /// Of the accepted flow; none before a step, or while another is tried.
   std::optional<ForceBalance> force_balance();
+  std::optional<VolumeBalance> volume_balance() const;
   /// What the accepted flow took to be as it is given: "pressure_drop_x" [Pa/m], "pressure_at_BOUNDARY" [Pa].
   std::map<std::string, double> found_drives() const;
   /// How large the mesh is and what this scene does not need, as sentences.

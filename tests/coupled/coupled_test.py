@@ -14,7 +14,7 @@ FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json
 KEYS = {"status", "reason", "steps", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
         "wall_seconds", "peak_memory_bytes", "bodies", "boundaries", "coefficients", "probes", "signals", "profiles",
         "errors", "counts", "grains", "coupling", "outlets", "onset", "version", "scene_fingerprint", "percolation",
-        "force_balance", "drives"}
+        "force_balance", "volume_balance", "drives"}
 SECONDS = {"total", "mesh", "assembly", "factor", "solve", "interface", "dem", "coupling", "output"}
 
 
