@@ -4,14 +4,13 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "fluid/arc_points.hpp"
 #include "fluid/bordered_factor.hpp"
-#include "fluid/quadrature.hpp"
 
 namespace fpi::fluid {
 namespace {
 
 using block_size::arc, block_size::cell, block_size::ghost;
-constexpr int points_on_piece = 4;
 
 /// Pressures of an element do not meet each other.
 const BlockMask& cell_mask() {
@@ -164,13 +163,8 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     const ArcPiece& piece = cut_.pieces[k];
     const Interface& interface = interfaces_[piece.interface];
-    const Triangle& triangle = space_.triangles[piece.cell];
     PieceIntegrals& integrals = pieces_[k] = {};
-    for (const LinePoint& point : gauss_legendre(points_on_piece)) {
-      const double parameter = piece.start + point.s * (piece.end - piece.start);
-      const double w = point.weight * interface.outline.length(piece.start, piece.end);
-      const Vec2 x = interface.outline.at(parameter);
-      const Padded n = p2_at(triangle.barycentric(x + piece.shift));
+    for (const auto& [parameter, x, n, w] : arc_points(space_, interface, piece)) {
       const auto hats = cut_.knots[piece.interface].hats(piece.arc, parameter);
       for (int end = 0; end < 2; ++end) {
         const double weight = w * hats[end];

@@ -1,17 +1,14 @@
 #include "fluid/volume_balance.hpp"
 
-#include "fluid/quadrature.hpp"
+#include "fluid/arc_points.hpp"
 
 namespace fpi::fluid {
 namespace {
 
-constexpr int points_on_piece = 4;
-
-/// Unit normal of an outline at a point x of a piece, out of the body.
-Vec2 normal(const Outline& outline, const ArcPiece& piece, const Vec2& x) {
-  if (const Disc* disc = outline.disc()) return (x - disc->centre).normalized();
-  const Vec2 along = outline.at(piece.end) - outline.at(piece.start);
-  return Vec2(along.y(), -along.x()).normalized();
+/// Unit normal out of the body.
+Vec2 normal(const Outline& outline, const ArcPoint& point) {
+  if (const Polygon* polygon = outline.polygon()) return polygon->normal(point.parameter);
+  return (point.x - outline.disc()->centre).normalized();
 }
 
 struct OutlineFlow {
@@ -24,15 +21,11 @@ OutlineFlow through_outlines(const System& system, const Vector& u) {
   for (const ArcPiece& piece : system.cut().pieces) {
     const Interface& interface = system.interfaces()[piece.interface];
     const auto nodes = space.mesh.cell_nodes(piece.cell);
-    for (const LinePoint& point : gauss_legendre(points_on_piece)) {
-      const double parameter = piece.start + point.s * (piece.end - piece.start);
-      const Vec2 x = interface.outline.at(parameter);
-      const Padded shape = p2_at(space.triangles[piece.cell].barycentric(x + piece.shift));
+    for (const ArcPoint& point : arc_points(space, interface, piece)) {
       Vec2 velocity = Vec2::Zero();
-      for (int i = 0; i < 6; ++i) velocity += shape[i] * u.segment<2>(2 * nodes[i]);
-      const Vec2 n = point.weight * interface.outline.length(piece.start, piece.end) *
-                     normal(interface.outline, piece, x);
-      flow.body += n.dot(interface.velocity(piece.arc, parameter));
+      for (int i = 0; i < 6; ++i) velocity += point.shape[i] * u.segment<2>(2 * nodes[i]);
+      const Vec2 n = point.weight * normal(interface.outline, point);
+      flow.body += n.dot(interface.velocity(piece.arc, point.parameter));
       flow.fluid += n.dot(velocity);
     }
   }
