@@ -244,12 +244,10 @@ void Films::push(const std::vector<double>& impulses, std::vector<Vec3>& velocit
         all.segment<3>(at) += impulses[d] * Vec3(along[0], along[1], along[5]);
     });
   all = inertia_.accelerations(all);
-  for (std::uint32_t i = 0; i < velocity.size(); ++i) {
-    const Eigen::Index at = inertia_.row(i);
-    if (at < 0) continue;
+  inertia_.each_body([&](std::uint32_t i, Eigen::Index at) {
     velocity[i].head<2>() += all.segment<2>(at);
     if (model_.bodies.inverse_inertia[i] > 0) spin[i].z() += all[at + 2];
-  }
+  });
 }
 
 }  // namespace fpi::dem

@@ -9,7 +9,7 @@ SharedInertia::SharedInertia(std::vector<std::uint32_t> bodies, Matrix matrix)
     : bodies_(std::move(bodies)), matrix_(std::move(matrix)), factor_(matrix_) {
   if (empty()) return;
   row_.assign(*std::ranges::max_element(bodies_) + 1, -1);
-  for (std::size_t k = 0; k < bodies_.size(); ++k) row_[bodies_[k]] = 3 * static_cast<Eigen::Index>(k);
+  each_body([this](std::uint32_t body, Eigen::Index row) { row_[body] = row; });
 }
 
 void SharedInertia::answer(Particles& particles) const {

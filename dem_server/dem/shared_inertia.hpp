@@ -29,6 +29,11 @@ class SharedInertia {
   }
   /// The first row of a body, or −1.
   Eigen::Index row(std::uint32_t body) const { return body < row_.size() ? row_[body] : -1; }
+  /// Calls visit(body, first row) for every body.
+  template <class Visit>
+  void each_body(Visit visit) const {
+    for (std::size_t k = 0; k < bodies_.size(); ++k) visit(bodies_[k], 3 * static_cast<Eigen::Index>(k));
+  }
   /// [m/s², rad/s²] of all bodies together under forces [N, N m] on some.
   Vector accelerations(const Vector& forces) const { return factor_.solve(forces); }
   /// Turns what pushes each body into what would push it as much by itself.

@@ -207,16 +207,12 @@ void Solver::set_loads(std::span<const Load> loads, double time_step) {
 void Solver::share_expected_contacts(const Forces& gained, const Forces& exerted, Forces& others) const {
   const Bodies& bodies = model_.bodies;
   Eigen::VectorXd expected(inertia_.n_rows());
-  const auto each = [&](auto visit) {
-    for (std::uint32_t i = 0; i < bodies.size(); ++i)
-      if (const Eigen::Index at = inertia_.row(i); at >= 0) visit(i, at);
-  };
-  each([&](std::uint32_t i, Eigen::Index at) {
+  inertia_.each_body([&](std::uint32_t i, Eigen::Index at) {
     const Vec3 force = gained.force[i] - exerted.force[i] - bodies.mass[i] * model_.gravity;
     expected.segment<3>(at) << force.head<2>(), gained.torque[i].z() - exerted.torque[i].z();
   });
   const Eigen::VectorXd lost = inertia_.accelerations(expected);
-  each([&](std::uint32_t i, Eigen::Index at) {
+  inertia_.each_body([&](std::uint32_t i, Eigen::Index at) {
     others.force[i].head<2>() += expected.segment<2>(at) - lost.segment<2>(at) / bodies.inverse_mass[i];
     if (bodies.inverse_inertia[i] > 0)
       others.torque[i].z() += expected[at + 2] - lost[at + 2] / bodies.inverse_inertia[i];
