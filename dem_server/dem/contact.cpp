@@ -119,17 +119,19 @@ bool add_contact(const Model& model, const Near& near, const Velocities& velocit
   }
   const Contact contact(model, near);
   Normal state = normal_state(model, near, velocities.now);
-  const double gained = state.rate - normal_state(model, near, velocities.middle).rate;  // in half a sub-step
-  state.acceleration =
-      acceleration_now<Elastic>(near.law, state, 2 * gained / sub_step.duration, sub_step.stretch_time);
+  const double middle_rate = normal_state(model, near, velocities.middle).rate;  // half a sub-step ago
   const Mean mean = mean_over<Elastic>(state.overlap, sub_step.duration * state.rate);
+  state.acceleration = acceleration_now<Elastic>(
+      near.law, state, 2 * (state.rate - middle_rate) / sub_step.duration, sub_step.stretch_time);
   const double N = normal_force<Elastic>(near.law, state, mean, sub_step.duration);
   contact.press(-N * near.at.normal, forces);
   if (model.accounts_energy)
     count.forces.push_back(recorded<Elastic>(near, contact, state, mean, sub_step.duration, N));
   if (mean.overlap > 0 && N > 0) {
-    const auto [friction, resistance] = rub<Elastic>(model, contact, near.law, state, mean.slope, N,
-                                                     velocities, sub_step.stretch_time, memory);
+    const double stretched =
+        sub_step.stretch_time * share_in_contact(state.overlap, sub_step.stretch_time * middle_rate);
+    const auto [friction, resistance] =
+        rub<Elastic>(model, contact, near.law, state, mean.slope, N, velocities, stretched, memory);
     contact.drag(friction, forces);
     contact.twist(resistance, forces);
     if (model.accounts_energy) {

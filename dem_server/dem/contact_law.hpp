@@ -38,7 +38,7 @@ using Normal = NormalOf<double>;
 
 /// F = k δ^(3/2), k = 4/3 E* √R* [N/m^(3/2)]. All else is over k, at δ ≥ 0: F, dF/dδ, and the amplitude s
 /// with ½ s² = energy. Over overlaps from δ(1 − r) to δ(1 + r) the mean of F and of ds/dδ are their values at
-/// δ times a factor: binomial series in r², good to 3e-8 up to r = ¼.
+/// δ times a factor: binomial series in r², good to 3e-8 up to r = ¼. So is that of dF/dδ.
 struct Hertz {
   template <class Real>
   static Real stiffness(Real modulus, Real radius) {
@@ -63,6 +63,10 @@ struct Hertz {
   template <class Real>
   static Real mean_force_factor(Real r2) {
     return 1 + r2 * (0.125 + r2 * (0.0046875 + r2 * 0.0009765625));
+  }
+  template <class Real>
+  static Real mean_slope_factor(Real r2) {
+    return 1 - r2 * (1.0 / 24 + r2 * (0.0078125 + r2 * 0.0029296875));
   }
   template <class Real>
   static Real mean_amplitude_slope_factor(Real r2) {
@@ -97,6 +101,10 @@ struct Linear {
     return Real{} + 1;
   }
   template <class Real>
+  static Real mean_slope_factor(Real) {
+    return Real{} + 1;
+  }
+  template <class Real>
   static Real mean_amplitude_slope_factor(Real) {
     return Real{} + 1;
   }
@@ -111,21 +119,14 @@ auto with_elastic_law(Elasticity law, Use use) {
   return law == Elasticity::linear ? use(Linear{}) : use(Hertz{});
 }
 
-/// d²δ/dt² [m/s²] now: what it was `elapsed` [s] ago, and what the pair's own spring has added since.
-template <class Elastic, class Real>
-Real acceleration_now(const PairLawOf<Real>& law, const NormalOf<Real>& c, Real before, double elapsed) {
-  const Real stiffness = Elastic::stiffness(law.normal, c.radius) * Elastic::slope(max(c.overlap, Real{}));
-  return before - elapsed * stiffness / c.mass * c.rate;
-}
-
 /// What a contact has on average over a sub-step, in which its overlap grows by a `way` [m]. Force and
-/// damping have infinite curvature or slope at δ = 0; their means do not depend on where in a sub-step the
-/// contact starts. Where surfaces meet or part within it the mean overlap is positive: the force acts and so
-/// does friction.
+/// damping have infinite curvature or slope at δ = 0, dF/dδ of the linear law jumps there; their means are
+/// continuous, and do not depend on where in a sub-step the contact starts. Where surfaces meet or part
+/// within it the mean overlap is positive: the force acts and so does friction.
 template <class Real>
 struct MeanOf {
   Real overlap;           ///< of both ends [m]
-  Real slope;             ///< dF/dδ there, over k
+  Real slope;             ///< dF/dδ, over k
   Real force;             ///< elastic, over k
   Real amplitude_change;  ///< from end to end
 };
@@ -138,7 +139,9 @@ MeanOf<Real> mean_of_ends(Real overlap, Real way) {
   const Real mean = 0.5 * (before + after);
   const Real s0 = Elastic::amplitude(before), s1 = Elastic::amplitude(after), change = s1 - s0;
   const Real force = select(way == 0, Elastic::force(mean), 0.5 * (s0 + s1) * change / way);
-  return {mean, Elastic::slope(mean), force, change};
+  const Real at_rest = select(mean > 0, Elastic::slope(mean), Real{});
+  const Real slope = select(way == 0, at_rest, (Elastic::force(after) - Elastic::force(before)) / way);
+  return {mean, slope, force, change};
 }
 
 /// Most contacts go a small part of their overlap, and need no values at the ends.
@@ -146,14 +149,31 @@ template <class Elastic, class Real>
 MeanOf<Real> mean_over(Real overlap, Real way) {
   const auto little = abs(way) < 0.5 * abs(overlap);
   const Real compressed = max(overlap, Real{}), r = 0.5 * way / overlap, r2 = r * r;
+  const Real touches = select(overlap > 0, Real{} + 1, Real{});  // or not, all along
   const MeanOf<Real> around{
-      compressed, Elastic::slope(compressed), Elastic::force(compressed) * Elastic::mean_force_factor(r2),
-      Elastic::amplitude_slope(compressed) * Elastic::mean_amplitude_slope_factor(r2) * way};
+      compressed, touches * Elastic::slope(compressed) * Elastic::mean_slope_factor(r2),
+      Elastic::force(compressed) * Elastic::mean_force_factor(r2),
+      touches * Elastic::amplitude_slope(compressed) * Elastic::mean_amplitude_slope_factor(r2) * way};
   if (holds_everywhere(little)) return around;
   const MeanOf<Real> ends = mean_of_ends<Elastic>(overlap, way);
   return {select(little, around.overlap, ends.overlap), select(little, around.slope, ends.slope),
           select(little, around.force, ends.force),
           select(little, around.amplitude_change, ends.amplitude_change)};
+}
+
+/// Share of a time in which the overlap has grown by a `way` [m] to what it is [m] that the surfaces touched.
+template <class Real>
+Real share_in_contact(Real overlap, Real way) {
+  const Real share = select(way >= 0, overlap / way, 1 - overlap / way);
+  return select(share > 0, select(share < 1, share, Real{} + 1),
+                Real{});  // 0 / 0 of what just meets at rest: 0
+}
+
+/// d²δ/dt² [m/s²] now: what it was `elapsed` [s] ago, and what the pair's own spring has added since.
+template <class Elastic, class Real>
+Real acceleration_now(const PairLawOf<Real>& law, const NormalOf<Real>& c, Real before, double elapsed) {
+  const Real stiffness = Elastic::stiffness(law.normal, c.radius) * Elastic::slope(max(c.overlap, Real{}));
+  return before - elapsed * stiffness / c.mass * c.rate;
 }
 
 /// Normal force [N], never attractive: F + Δt²/12 F' d²δ/dt² + 2 ζ √(k m*) ds/dt, F = k s ds/dδ, of which the
@@ -168,7 +188,7 @@ Real normal_force(const PairLawOf<Real>& law, const NormalOf<Real>& c, const Mea
                   double sub_step) {
   const Real k = Elastic::stiffness(law.normal, c.radius);
   const Real shift = sub_step * sub_step / 12 * c.acceleration;
-  const Real elastic = k * (mean.force + Elastic::slope(max(c.overlap, Real{})) * shift);
+  const Real elastic = k * (mean.force + mean.slope * shift);
   return max(elastic + 2 / sub_step * law.damping_ratio * sqrt(k * c.mass) * mean.amplitude_change, Real{});
 }
 

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double worth_flying = 4;  ///< sub-steps that a flight must save
 constexpr double third = 1.0 / 3;
+constexpr double a_little = 1e-6;   ///< of a sub-step: less is not worth one of its own
 constexpr double least_batch = 32;  ///< sub-steps for which a look ahead is good, in contacts of few steps
 constexpr double instant = 1e-6;    ///< of a sub-step: what implicit ones take contacts as means over
 constexpr double agreed = 1e-11;    ///< relative change of velocities at which an implicit sub-step is solved
@@ -54,10 +55,12 @@ class Integration {
       });
       films_.place(state_);
       const bool flies = std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step;
-      if (flies && films_.empty()) {
-        fly(ahead, film_step);
+      if (films_.empty()) {
+        choose_sub_step(ahead.contact_step);
+        if (!flies || !fly(ahead, film_step)) take_sub_steps();
       } else {
-        take_sub_steps(std::min(film_step, flies ? ahead.free_time : ahead.contact_step));
+        dt_ = std::min({film_step, flies ? ahead.free_time : ahead.contact_step, model_.largest_sub_step});
+        take_sub_steps();
       }
       check_finite();
     }
@@ -69,17 +72,22 @@ class Integration {
 
  private:
   /// One step through free space, as far as nothing can touch, no film begins and the search for neighbours
-  /// holds. It ends a sub-step before the surfaces meet, so that the contact starts among sub-steps.
-  void fly(const Outlook& ahead, double film_step) {
-    const double before_contact =
-        std::isinf(ahead.free_time) ? ahead.free_time : ahead.free_time - ahead.contact_step;
-    const double wanted = std::min({left_, before_contact, film_step, model_.largest_sub_step});
-    const double within_skin = least_under_loads(
-        [&] { return time_within_skin(*state_.neighbours, state_.wall_contacts, particles_); });
+  /// holds. It takes the place of whole sub-steps, and moves all as these would, so that the contact it ends
+  /// before starts among sub-steps, at a moment that does not depend on how far one flew. False where that is
+  /// less than a sub-step.
+  bool fly(const Outlook& ahead, double film_step) {
+    const double wanted = std::min(
+        {whole_sub_steps(left_), whole_sub_steps(ahead.free_time - dt_), film_step, model_.largest_sub_step});
+    const double within_skin = whole_sub_steps(least_under_loads(
+        [&] { return time_within_skin(*state_.neighbours, state_.wall_contacts, particles_); }));
     const bool moved = farthest_moved(*state_.neighbours, particles_) > 0 || state_.wall_contacts.moved > 0;
-    if (within_skin < wanted && moved) return search_neighbours();
+    if (within_skin < wanted && moved) {
+      search_neighbours();
+      return true;
+    }
     const double duration = std::min(wanted, within_skin);
-    if (!is_affordable(left_ / duration)) return;
+    if (duration <= 0 && std::isfinite(dt_)) return false;
+    if (!is_affordable(left_ / duration)) return true;
     forces_stand_ = false;
     contact_forces_.clear();
     particles_.contact_push.clear();
@@ -89,24 +97,32 @@ class Integration {
     load_at(left_ - 2 * third * duration);
     sweep({.kick = 0.5 * duration});
     left_ -= duration;
-    steps_left_ = 0;
     ++outcome_.sub_steps;
     outcome_.contacts = 0;
+    return true;
+  }
+
+  /// The sub-steps that fit into a time [s], or all that is left of the step.
+  double whole_sub_steps(double time) const {
+    const bool has_length = dt_ > 0 && std::isfinite(dt_);
+    return time < left_ && has_length ? dt_ * std::floor(time / dt_) : std::min(time, left_);
   }
 
   /// Sub-steps of one contact time or more, or what is left; ends early where a search finds new neighbours,
   /// and after each sub-step where there are films, whose step follows the gap.
-  void take_sub_steps(double sub_step_wanted) {
-    choose_sub_step(std::min(sub_step_wanted, model_.largest_sub_step));
-    if (!is_affordable(steps_left_)) return;
+  void take_sub_steps() {
+    if (!is_affordable(left_ / dt_)) return;
+    double batch = films_.empty() ? std::max(model_.steps_per_contact, least_batch) : 1;
+    batch = std::clamp(std::floor(left_ / dt_ + a_little), 1.0, batch);
+    // The last sub-step is shorter, or by a little longer than the others.
+    if (left_ - batch * dt_ < a_little * dt_) dt_ = left_ / batch;
+    const double at_end = left_ - batch * dt_ < a_little * dt_ ? 0 : left_ - batch * dt_;
     films_.prepare(0.5 * dt_);
     if (!forces_stand_) find_forces_at_start();
-    double batch =
-        films_.empty() ? std::min(steps_left_, std::max(model_.steps_per_contact, least_batch)) : 1;
     const std::uint64_t searches = outcome_.searches;
-    load_at((steps_left_ - third) * dt_);
+    load_at(left_ - third * dt_);
     for (double kick = 0.5 * dt_; batch > 0 && outcome_.converged && outcome_.searches == searches; --batch) {
-      --steps_left_;
+      left_ = at_end + (batch - 1) * dt_;
       if (!films_.empty()) {
         sub_step_with_films();
       } else if (model_.implicit) {
@@ -114,20 +130,25 @@ class Integration {
       } else {
         sub_step(kick);
       }
-      load_at(steps_left_ * dt_);
+      load_at(left_);
       kick = dt_;
     }
-    load_at((steps_left_ + third) * dt_);
+    load_at(left_ + third * dt_);
     if (films_.empty() && !model_.implicit) sweep({.kick = 0.5 * dt_});
-    left_ = steps_left_ * dt_;
   }
 
-  /// Steps that keep their length keep the integrator symplectic: a hundredth is not worth another one, and
-  /// one that is a little short is kept.
+  /// Sub-steps keep their length while contacts do, which keeps the integrator symplectic: what is left of
+  /// the step is divided into equal parts.
+  ///
+  /// Where a fluid iterates on the loads, what may or may not happen in the step must not change the length,
+  /// or all contacts jump with the loads. So it is that of the contacts that are nearby when the step begins,
+  /// unless contacts become twice as short or four times as long, and the last sub-step is what is left; a
+  /// number of equal parts would jump.
   void choose_sub_step(double longest) {
-    if (steps_left_ > 0 && dt_ <= 1.01 * longest && dt_ >= 0.8 * longest) return;
-    steps_left_ = std::max(1.0, std::ceil(left_ / longest - 0.01));
-    dt_ = left_ / steps_left_;
+    longest = std::min(longest, model_.largest_sub_step);
+    const bool iterates = !particles_.load.empty();
+    if (dt_ > 0 && dt_ <= (iterates ? 2 : 1.01) * longest && dt_ >= (iterates ? 0.25 : 0.8) * longest) return;
+    dt_ = iterates || longest >= left_ ? longest : left_ / std::ceil(left_ / longest - 0.01);
   }
 
   /// From the middle of the last sub-step, or with half the `kick` from its end, to the middle of this one.
@@ -144,7 +165,7 @@ class Integration {
     const std::vector<Memory> wall_memories = state_.wall_contacts.memories;
     sweep({.kick = 0.5 * dt_});
     state_.wall_contacts.drift(dt_);
-    load_at((steps_left_ + third) * dt_);
+    load_at(left_ + third * dt_);
     for (int k = 0; step.iterate(particles_, motions_.orientation) > agreed || k == 0; ++k) {
       if (k == most_iterations) return stop_unsolved();
       memories_ = memories;
@@ -177,7 +198,7 @@ class Integration {
     sweep({.extrapolate = 0.5 * dt_, .clear = true});
     damp(particles_.now);
     find_forces(dt_, dt_);
-    load_at((steps_left_ + third) * dt_);
+    load_at(left_ + third * dt_);
     sweep({.kick = 0.5 * dt_});
     damp(particles_.half);
     ++outcome_.sub_steps;
@@ -374,8 +395,7 @@ class Integration {
   std::vector<ContactForce> contact_forces_;  ///< those that stand, for the meter
   bool forces_stand_ = false;                 ///< the forces are those of the current motions
   double left_ = 0;                           ///< [s] of the step
-  double dt_ = 0;                             ///< [s] the sub-step
-  double steps_left_ = 0;                     ///< of this length; 0 where the length is free
+  double dt_ = 0;                             ///< [s] the sub-step; infinite where nothing can touch
   double fastest_ = 0;                        ///< [m/s] that no body exceeds
   double moved_ = 0;                          ///< [m] that no body has moved farther since the last search
   Advanced outcome_;

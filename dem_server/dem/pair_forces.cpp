@@ -124,9 +124,10 @@ class PairForces {
     const Meeting m = meet(batch);
     find_laws(batch);
     NormalOf<Lanes> state{1 / m.inverse_mass, m.Ra * m.Rb / (m.Ra + m.Rb), -m.gap, m.velocity.dot(m.normal)};
-    state.acceleration = acceleration_now<Elastic>(
-        law_, state, Lanes(2 / step_.duration * (m.velocity - m.middle).dot(m.normal)), step_.stretch_time);
     const auto mean = mean_over<Elastic>(state.overlap, Lanes(step_.duration * state.rate));
+    const Lanes middle_rate = m.middle.dot(m.normal);
+    state.acceleration = acceleration_now<Elastic>(
+        law_, state, Lanes(2 / step_.duration * (state.rate - middle_rate)), step_.stretch_time);
     const Lanes N = normal_force<Elastic>(law_, state, mean, step_.duration);
     const auto rubs = (mean.overlap > 0) & (N > 0);
     const Lanes arm_a = m.Ra + 0.5 * m.gap, arm_b = m.Rb + 0.5 * m.gap;
@@ -136,8 +137,10 @@ class PairForces {
     const auto sliding = [&](const Vector& v, const Turn& spin_a, const Turn& spin_b) {
       return Space::cross(m.normal, v) + Space::across(arm_a * spin_a + arm_b * spin_b, m.normal);
     };
+    const Lanes stretched =
+        step_.stretch_time * share_in_contact(state.overlap, Lanes(step_.stretch_time * middle_rate));
     Turn slip = Space::follow(keep(remembers, Space::turn(memory)), m.normal) +
-                step_.stretch_time * sliding(m.middle, m.middle_a, m.middle_b);
+                stretched * sliding(m.middle, m.middle_a, m.middle_b);
     Lanes twist = keep(remembers, memory.w);
     const Turn slide = sliding(m.velocity, m.spin_a, m.spin_b);
     const SpringOf<Lanes> tangential = tangential_spring<Elastic>(law_, state, mean.slope);
@@ -146,7 +149,7 @@ class PairForces {
     const Vector force = Space::turned(friction, m.normal);
     Turn moment_a = arm_a * friction, moment_b = arm_b * friction, resistance{};
     if (turning_) {
-      resistance = keep(rubs, resist_turning(batch, m, state, tangential, N, remembers, twist));
+      resistance = keep(rubs, resist_turning(batch, m, state, tangential, N, remembers, stretched, twist));
       moment_a = moment_a + resistance;
       moment_b = moment_b - resistance;
     }
@@ -190,7 +193,8 @@ class PairForces {
   /// Moment on a by which the contacts resist rolling and twisting.
   template <class Mask>
   Turn resist_turning(const Batch& batch, const Meeting& m, const NormalOf<Lanes>& state,
-                      const SpringOf<Lanes>& tangential, Lanes N, Mask remembers, Lanes& twist) {
+                      const SpringOf<Lanes>& tangential, Lanes N, Mask remembers, Lanes stretched,
+                      Lanes& twist) {
     Lanes inverse_inertia;
     for (int k = 0; k < n_lanes; ++k)
       inverse_inertia[k] =
@@ -201,11 +205,11 @@ class PairForces {
     const Lanes lever = state.radius * N;
     const Gathered memory([&](int k) { return load(memories_.roll[batch.pair[k]].data()); });
     Turn roll = Space::follow(keep(remembers, Space::turn(memory)), m.normal) +
-                step_.stretch_time * Space::across(middle, m.normal);
+                stretched * Space::across(middle, m.normal);
     Turn moment =
         stick_slip(spring, Lanes(law_.rolling_friction * lever), Space::across(now, m.normal), roll);
     if constexpr (std::is_same_v<Turn, Triple>) {
-      twist += step_.stretch_time * middle.dot(m.normal);
+      twist += stretched * middle.dot(m.normal);
       moment +=
           stick_slip(spring, Lanes(law_.twisting_friction * lever), now.dot(m.normal), twist) * m.normal;
     }

@@ -48,17 +48,12 @@ double time_to_close(double gap, double closing, double acceleration) {
 
 void Outlook::consider(const Model& model, const PairLaw& law, const Normal& normal, const Approach& closing,
                        double speed, const Pull& pull) {
-  const double meeting = time_to_close(-normal.overlap - pull.reach, closing.speed, closing.acceleration);
-  if (std::isinf(meeting)) return;
+  free_time =
+      std::min(free_time, time_to_close(-normal.overlap - pull.reach, closing.speed, closing.acceleration));
   const double steps = steps_per_contact(model, law);
   Normal met = normal;
   met.rate = speed;
-  const auto takes_longer_than = [&](double time) {
-    return pull.step >= time && lasts_longer(model.elasticity, law, met, steps * time);
-  };
-  if (meeting >= horizon && !takes_longer_than(meeting - horizon)) return;
-  free_time = std::min(free_time, meeting);
-  if (takes_longer_than(contact_step)) return;
+  if (pull.step >= contact_step && lasts_longer(model.elasticity, law, met, steps * contact_step)) return;
   contact_step = std::min({contact_step, contact_time(model.elasticity, law, met) / steps, pull.step});
 }
 

@@ -22,9 +22,11 @@ struct Pull {
 };
 
 struct Outlook {
-  double horizon;               ///< [s] how far ahead it looks
-  double free_time = never;     ///< [s] before which nothing touches, nor anything in the step or just after
-  double contact_step = never;  ///< [s] t_c/steps_per_contact of the stiffest pair that can touch
+  double horizon;            ///< [s] how far ahead it looks
+  double free_time = never;  ///< [s] before which nothing touches
+  /// [s] t_c/steps_per_contact of the stiffest pair nearby, whether it will touch or not: what may or may not
+  /// happen in the step must not change the length of all sub-steps.
+  double contact_step = never;
 
   /// Two surfaces that meet with at most `speed` [m/s].
   void consider(const Model& model, const PairLaw& law, const Normal& normal, const Approach& closing,

@@ -48,6 +48,24 @@ TEST(ContactLaw, normal_force_never_pulls) {
   EXPECT_EQ(force_on(law, Normal{.mass = 1, .radius = 0.01, .overlap = 1e-7, .rate = -1}, 1e-9), 0);
 }
 
+TEST(ContactLaw, nothing_acts_before_surfaces_meet) {
+  const PairLaw law = combine(material(1e9, 0.25, 0.5), material(1e9, 0.25, 0.5));
+  const Normal apart{.mass = 1, .radius = 0.01, .overlap = -1e-5, .rate = 1, .acceleration = 1e3};
+  for (const double way : {1e-6, 1.9e-5}) {
+    EXPECT_EQ(normal_force<Linear>(law, apart, mean_over<Linear>(apart.overlap, way), way), 0) << way;
+    EXPECT_EQ(normal_force<Hertz>(law, apart, mean_over<Hertz>(apart.overlap, way), way), 0) << way;
+  }
+}
+
+TEST(ContactLaw, mean_slope_is_what_the_force_gains_on_the_way) {
+  for (const double way : {1e-7, 4.9e-7, 5.1e-7, 1e-6, 3e-6}) {
+    const double before = std::max(1e-6 - 0.5 * way, 0.0), after = 1e-6 + 0.5 * way;
+    EXPECT_NEAR(mean_over<Hertz>(1e-6, way).slope * way / (Hertz::force(after) - Hertz::force(before)), 1,
+                1e-7);
+    EXPECT_NEAR(mean_over<Linear>(1e-6, way).slope * way / (after - before), 1, 1e-14);
+  }
+}
+
 TEST(ContactLaw, equivalent_speed_is_that_of_the_impact_all_along) {
   const PairLaw law = combine(material(1e9, 0.25), material(1e9, 0.25));
   const Normal start{.mass = 2, .radius = 0.01, .overlap = 0, .rate = 3};
