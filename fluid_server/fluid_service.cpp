@@ -130,6 +130,7 @@ proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const prot
                            .time_error_order = static_cast<double>(result.time_error.power)};
   for (const BodyTraction& traction : result.tractions)
     out.tractions.push_back(write_traction(traction, scene_.thickness));
+  out.speed = result.speed;
   const auto resistance = (scene_.thickness * result.resistance).reshaped<Eigen::RowMajor>();
   out.resistance.assign(resistance.begin(), resistance.end());
   return out;

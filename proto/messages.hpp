@@ -135,6 +135,7 @@ struct FluidAdvanced {
   /// By rows, how force x, y and torque go with velocity x, y and spin at the end of the step, of all bodies
   /// with a balance, mass/Δt included [kg/s, kg m/s, kg m²/s]; empty: not wanted, or not known.
   std::vector<double> resistance{};
+  double speed = 0;  ///< [m/s] root mean square of the fluid's velocity; 0: not said
 };
 
 /// What a body feels besides gravity and contact.

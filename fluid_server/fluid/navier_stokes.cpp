@@ -67,6 +67,7 @@ Result NavierStokes::advance(const Request& request) {
   result.newton = solve_step(request);
   if (result.newton.converged) {
     result.tractions = tractions();
+    result.speed = system_->speed(current_.fields.u);
     if (request.wants_resistance && current_.factor) result.resistance = current_.factor->schur_complement();
     if (request.time_step > 0)
       result.time_error = time_error(scheme_, start_, current_.fields.u, request.time_step);
@@ -98,8 +99,8 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   system_->set_load(request.time, body_force_);
   // A start from rest into a given inflow has an acceleration that no guess should follow for a whole step.
   const bool follow = accepted_.has_acceleration;
-  base_.fields =
-      with_multipliers(follow ? predicted_velocity(start_, request.time_step) : start_.u, start_.p);
+  base_.fields = with_multipliers(
+      predicted_velocity(start_, request.time_step, follow ? best_order(start_) : 0), start_.p);
   if (start_.damped_steps > 0) return result;  // with the factor of the first half
   base_.factor = nullptr;
   if (system_ == accepted_system_) kept_.lend(base_, time_terms_.inertia, flow_.convection == 0);
@@ -213,6 +214,9 @@ void NavierStokes::accept() {
   const Fields& fields = current_.fields;
   measure_boundaries();
   accepted_.time = last_->time;
+  if (last_->time_step > 0)
+    accepted_.prediction_errors =
+        prediction_errors(start_, fields.u, last_->time_step, system_->numbering().node_is_active);
   accepted_.previous_acceleration = start_.acceleration;
   accepted_.has_previous_acceleration = start_.has_acceleration;
   accepted_.previous_step = last_->time_step;

@@ -54,6 +54,7 @@ struct Result {
   /// …]: the Schur complement of the step's first factor. Without entries unless wanted and the linear solver
   /// gives it.
   Eigen::MatrixXd resistance;
+  double speed = 0;  ///< root mean square of the velocity at the nodes in the fluid [m/s]
 };
 
 class NavierStokes {

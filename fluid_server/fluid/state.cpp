@@ -5,7 +5,7 @@
 namespace fpi::fluid {
 namespace {
 
-constexpr std::uint64_t magic = 0x33534c4644495046;  // "FPIDFLS3"
+constexpr std::uint64_t magic = 0x34534c4644495046;  // "FPIDFLS4"
 
 constexpr std::size_t bytes_a_place = 4 * sizeof(double);
 
@@ -48,6 +48,7 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
     for (const double number : {place.centre.x(), place.centre.y(), place.angle}) write.put(number);
   }
   write.put(static_cast<std::int64_t>(state.damped_steps));
+  for (const double error : state.prediction_errors) write.put(error);
   return std::move(write.bytes);
 }
 
@@ -80,6 +81,7 @@ State from_bytes(std::span<const std::uint8_t> bytes, Index n_nodes, Index n_ver
     state.places.push_back({body, Vec2(x, y), read.number()});
   }
   state.damped_steps = static_cast<int>(read.get<std::int64_t>());
+  for (double& error : state.prediction_errors) error = read.number();
   require(read.left() == 0, "the fluid's state has {} bytes too many: take another checkpoint", read.left());
   return state;
 }

@@ -1,6 +1,7 @@
 /// All that a step starts from, and its form in a checkpoint.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +18,9 @@ struct BodyPlace {
   double angle;  ///< [rad]
 };
 
+inline constexpr int highest_order = 2,
+                     n_orders = highest_order + 1;  ///< of predictions, see time_scheme.hpp
+
 struct State {
   double time = 0;      ///< [s]
   Vector u;             ///< x, y of each node [m/s]
@@ -30,6 +34,7 @@ struct State {
   Vector drift;                   ///< mean velocity of each node's path over it [m/s], see motion.hpp
   std::vector<BodyPlace> places;  ///< of the bodies
   int damped_steps = -1;          ///< that a sudden start still takes; −1: not known before the first step
+  std::array<double, n_orders> prediction_errors{};  ///< of each order in the last steps [m²/s²]
 
   static State at_rest(Index n_nodes, Index n_vertices);
 };

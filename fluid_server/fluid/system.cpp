@@ -304,6 +304,16 @@ Vector System::velocity_weight() const {
   return weight;
 }
 
+double System::speed(const Vector& u) const {
+  double squares = 0, n_active = 0;
+  for (Index node = 0; node < space_.mesh.n_nodes(); ++node) {
+    if (!numbering_.node_is_active[node]) continue;
+    squares += u.segment<2>(2 * node).squaredNorm();
+    ++n_active;
+  }
+  return n_active > 0 ? std::sqrt(squares / n_active) : 0;
+}
+
 std::string System::largest_residual(const Vector& gathered) const {
   Vec2 place = Vec2::Zero();
   double largest = -1;

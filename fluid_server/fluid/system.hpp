@@ -122,6 +122,8 @@ class System {
   bool factors_have_resistance() const { return wants_resistance_; }
   /// 1 for each equation of a velocity, 0 for all else: that follows from the velocities.
   Vector velocity_weight() const;
+  /// Root mean square of a velocity at the nodes in the fluid [m/s].
+  double speed(const Vector& u) const;
   /// "the largest residual is at (x, y) m", of the gathered residual.
   std::string largest_residual(const Vector& gathered) const;
 

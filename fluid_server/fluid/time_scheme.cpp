@@ -22,12 +22,32 @@ TimeTerms time_terms(const Scheme& scheme, const State& start, const Vector& dis
   return terms;
 }
 
-Vector predicted_velocity(const State& state, double time_step) {
-  if (!state.has_acceleration) return state.u;
+Vector predicted_velocity(const State& state, double time_step, int order) {
+  if (!state.has_acceleration || order == 0) return state.u;
   const Vector tangent = state.u + time_step * state.acceleration;
-  if (!state.has_previous_acceleration) return tangent;
+  if (!state.has_previous_acceleration || order == 1) return tangent;
   const double bend = 0.5 * time_step * time_step / state.previous_step;
   return tangent + bend * (state.acceleration - state.previous_acceleration);
+}
+
+int best_order(const State& state) {
+  int best = highest_order;
+  for (int order = highest_order - 1; order >= 0; --order)
+    if (state.prediction_errors[order] < state.prediction_errors[best]) best = order;
+  return best;
+}
+
+std::array<double, n_orders> prediction_errors(const State& start, const Vector& u, double time_step,
+                                               const std::vector<std::uint8_t>& node_counts) {
+  std::array<double, n_orders> errors = start.prediction_errors;
+  for (int order = 0; order <= highest_order; ++order) {
+    const Vector miss = u - predicted_velocity(start, time_step, order);
+    for (std::size_t node = 0; node < node_counts.size(); ++node)
+      if (node_counts[node])
+        errors[order] += miss.segment<2>(2 * static_cast<Eigen::Index>(node)).squaredNorm();
+    errors[order] *= 0.5;
+  }
+  return errors;
 }
 
 /// Where both are of second order the step is off by own · Δt³ u‴ and the prediction by (1/6 + 1/(4ω)) Δt³ u‴

@@ -25,9 +25,18 @@ struct Scheme {
 /// stay.
 TimeTerms time_terms(const Scheme& scheme, const State& start, const Vector& displacement = {});
 
-/// The velocity after the next step without solving for it: u + Δt a + ½ Δt²/Δt_previous (a − a_previous),
-/// Adams and Bashforth's second order, or as much of it as the state's history allows.
-Vector predicted_velocity(const State& state, double time_step);
+/// The velocity after the next step without solving for it: u, of order 0, u + Δt a, of order 1, or
+/// u + Δt a + ½ Δt²/Δt_previous (a − a_previous), Adams and Bashforth's second order; as much of it as the
+/// state's history allows.
+Vector predicted_velocity(const State& state, double time_step, int order = highest_order);
+
+/// The order that came nearest in the last steps: a smooth flow is best foreseen by the highest one, while
+/// one that bodies strike changes in ways that no acceleration foretells.
+int best_order(const State& state);
+/// The errors that it chooses by, with those of the step from `start` to u at the nodes that count: squares,
+/// halved in weight with each step.
+std::array<double, n_orders> prediction_errors(const State& start, const Vector& u, double time_step,
+                                               const std::vector<std::uint8_t>& node_counts);
 
 /// Error of a step in time, relative to the velocity, from its distance to the prediction (P. M. Gresho, R.
 /// L. Lee, R. L. Sani, On the time-dependent solution of the incompressible Navier–Stokes equations, 1980).

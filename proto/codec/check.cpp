@@ -110,6 +110,7 @@ void rules(const Place& at, const FluidAdvanced& advanced) {
   demand(advanced.residual >= 0, at, "residual", ">= 0", advanced.residual);
   demand(advanced.time_error >= 0, at, "time_error", ">= 0", advanced.time_error);
   demand(advanced.time_error_order >= 0, at, "time_error_order", ">= 0", advanced.time_error_order);
+  demand(advanced.speed >= 0, at, "speed", ">= 0 m/s", advanced.speed);
   const auto rows = static_cast<std::size_t>(std::lround(std::sqrt(advanced.resistance.size())));
   demand(rows * rows == advanced.resistance.size(), at, "resistance", "as many columns as rows",
          advanced.resistance.size());

@@ -127,7 +127,8 @@ FluidAdvance unpack(Reader& r, const wire::FluidAdvance* w) {
 }
 FluidAdvanced unpack(Reader& r, const wire::FluidAdvanced* w) {
   return {w->converged(), r.text(w->reason()), r.list(w->tractions()), w->newton_iterations(),
-          w->residual(),  w->time_error(),     w->time_error_order(),  r.numbers(w->resistance())};
+          w->residual(),  w->time_error(),     w->time_error_order(),  r.numbers(w->resistance()),
+          w->speed()};
 }
 DemAdvance unpack(Reader& r, const wire::DemAdvance* w) {
   return {w->time(),

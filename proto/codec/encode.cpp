@@ -103,7 +103,7 @@ auto pack(Builder& b, const FluidAdvance& m) {
 auto pack(Builder& b, const FluidAdvanced& m) {
   return wire::CreateFluidAdvanced(b, m.converged, text(b, m.reason), list(b, m.tractions),
                                    m.newton_iterations, m.residual, m.time_error, m.time_error_order,
-                                   numbers(b, m.resistance));
+                                   numbers(b, m.resistance), m.speed);
 }
 auto pack(Builder& b, const DemAdvance& m) {
   return wire::CreateDemAdvance(b, m.time, m.time_step, list(b, m.loads), list(b, m.prescribed),

@@ -114,6 +114,7 @@ inline constexpr auto members_of<FluidAdvanced> = std::tuple{
     member("time_error", &FluidAdvanced::time_error),
     member("time_error_order", &FluidAdvanced::time_error_order),
     member("resistance", &FluidAdvanced::resistance),
+    member("speed", &FluidAdvanced::speed),
 };
 template <>
 inline constexpr auto members_of<Load> = std::tuple{

@@ -160,6 +160,7 @@ TEST(Codec, refuses_what_breaks_a_rule) {
        "interfaces must be empty where same_interfaces is set; got 1"},
       {FluidAdvanced{.time_error = -1}, "time_error must be >= 0; got -1"},
       {FluidAdvanced{.time_error_order = -1}, "time_error_order must be >= 0; got -1"},
+      {FluidAdvanced{.speed = -1}, "speed must be >= 0 m/s; got -1"},
       {FluidAdvanced{.residual = -1}, "residual must be >= 0"},
       {FluidAdvanced{.resistance = {1, 2}}, "resistance must be as many columns as rows; got 2"},
       {DemAdvance{.loads = {{}}, .resistance = {1, 2, 3, 4}},

@@ -63,7 +63,7 @@ std::vector<Envelope> all() {
       Configure{"[fluid]\ndensity = 1 # µ\n", {{"channel.msh", {1, 2, 3, 255}}}, {9, 8}},
       Configured{{{0, 0.1}, {1, 0.2}}, 0.01, {"no convection", "one factor"}, figures},
       FluidAdvance{0.3, 0.1, {arcs(), outline()}, false, true},
-      FluidAdvanced{true, "well", {traction, traction}, 4, 1e-9, 2e-4, 3, {1, 2, 3, 4}},
+      FluidAdvanced{true, "well", {traction, traction}, 4, 1e-9, 2e-4, 3, {1, 2, 3, 4}, 0.7},
       DemAdvance{
           0.3, 0.1, {load}, {motion(), motion()}, {0.01, 0.02}, {motion()}, std::vector<double>(9, 0.5)},
       DemAdvanced{true, "well", {motion()}, 50, {2}, 1e-6},

@@ -30,7 +30,9 @@ TEST(Channel, slip_walls_carry_a_uniform_flow_and_no_force) {
   auto s =
       settings(1, 1, {{"left", velocity("2", "0")}, {"right", open()}, {"bottom", slip()}, {"top", slip()}});
   NavierStokes solver(square(4), s);
-  ASSERT_TRUE(solve_steady(solver).newton.converged);
+  const Result result = solve_steady(solver);
+  ASSERT_TRUE(result.newton.converged);
+  EXPECT_NEAR(result.speed, 2, 1e-13);
   EXPECT_NEAR((solver.at({0.3, 1.0})->first - Vec2(2, 0)).norm(), 0, 1e-13);
   for (const BoundaryTraction& t : solver.boundary_tractions()) EXPECT_NEAR(t.force.norm(), 0, 1e-12);
 }
