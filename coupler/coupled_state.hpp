@@ -66,6 +66,7 @@ struct Trial {
   /// How these go with the unknowns at the end of the step, as the fluid says [kg/s, kg m/s, kg m²/s];
   /// without entries where it does not.
   Eigen::MatrixXd resistance;
+  double fluid_speed = 0;         ///< root mean square of the fluid's velocity [m/s]; 0 where it is not said
   bool wants_resistance = false;  ///< from the fluid
   Attempt report;
 };

@@ -24,6 +24,11 @@ bool lets_fluid_move_bodies(const scene::Coupling& coupling, const Participants&
   return participants.fluid_moves_bodies && (asked == "auto" || asked == "fluid");
 }
 
+Eigen::VectorXd displaced_mass(const scene::Scene& scene, const coupling::RigidDofs& dofs) {
+  if (!scene.fluid) return Eigen::VectorXd::Zero(dofs.size());
+  return coupling::displaced_mass(dofs, *scene.fluid, scene.hydraulic_radius_ratio);
+}
+
 constexpr std::uint32_t most_recuts = 2;  ///< in a step
 
 Eigen::VectorXd weights(const coupling::RigidDofs& dofs, const std::vector<double>& gravity) {
@@ -42,6 +47,7 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
       fluid_moves_bodies_(lets_fluid_move_bodies(scene.coupling, participants)),
       solvers_(scene, dofs_, participants, fluid_moves_bodies_),
       predictor_(scene.coupling.predictor),
+      forecast_(dofs_.inertia(), displaced_mass(scene, dofs_)),
       iteration_(scene.coupling, dofs_),
       // Before the first step this is all that is known of what the DEM adds.
       force_of_dem_(weights(dofs_, scene.gravity)) {
@@ -95,13 +101,17 @@ Attempt Simulation::attempt(double start, double end, double time_step) {
   return trial_.report;
 }
 
-/// What the DEM makes of the predicted velocities, with the fluid's resistance of the last step: contacts
-/// that will open or close change the prediction before the fluid, which costs far more, is asked at all.
+/// What the DEM makes of the predicted velocities, with the fluid's balance as the last steps foretell it:
+/// contacts that will open or close change the prediction before the fluid, which costs far more, is asked
+/// at all.
 void Simulation::foresee_contacts(double start, Eigen::VectorXd& velocities, Eigen::VectorXd& force_of_dem) {
+  if (forecast_.knows()) {
+    velocities = forecast_.velocities(trial_.time_step, force_of_dem);
+    trial_.resistance = forecast_.resistance(trial_.time_step);
+  }
   place_bodies(start, velocities);
   const Eigen::VectorXd gained = velocities - dofs_.velocities(accepted_.motions);
   dofs_.set_loads(dofs_.inertia().cwiseProduct(gained) / trial_.time_step - force_of_dem, trial_.state.loads);
-  trial_.resistance = resistance_impulse_ / trial_.time_step;
   const proto::Stamp stamp{.run = run_, .step = steps_ + 1, .sub_iteration = 0};
   if (solvers_.advance_dem(stamp, trial_).empty()) {
     const Eigen::VectorXd foreseen = dofs_.velocities(trial_.state.motions);
@@ -126,8 +136,16 @@ bool Simulation::bodies_act(const Eigen::VectorXd& force_of_dem) const {
 
 /// Zero where a body has left.
 Eigen::VectorXd Simulation::of_bodies_there(Eigen::VectorXd unknowns, const CoupledState& state) const {
+  unknowns(unknowns_left(state)).setZero();
+  return unknowns;
+}
+
+/// Those of bodies that have left.
+std::vector<Eigen::Index> Simulation::unknowns_left(const CoupledState& state) const {
+  std::vector<Eigen::Index> unknowns;
   for (std::size_t k = 0; k < dofs_.bodies().size(); ++k)
-    if (!state.is_there(dofs_.bodies()[k])) unknowns.segment<3>(3 * static_cast<Eigen::Index>(k)).setZero();
+    for (Eigen::Index i = 0; i < 3 && !state.is_there(dofs_.bodies()[k]); ++i)
+      unknowns.push_back(3 * static_cast<Eigen::Index>(k) + i);
   return unknowns;
 }
 
@@ -267,6 +285,7 @@ coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t 
   answer.converged = answer.reason.empty();
   answer.velocities = dofs_.velocities(trial_.state.motions);
   answer.forces = dofs_.loads(trial_.state.loads);
+  answer.fluid_speed = trial_.fluid_speed;
   answer.residual = answer.velocities - dofs_.velocities(trial_.placed);
   answer.is_newton = trial_.resistance.size() > 0;
   if (answer.is_newton)
@@ -280,16 +299,23 @@ coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t 
 
 void Simulation::accept() {
   if (!trial_.state.onset) trial_.state.onset = find_onset(scene_, trial_.state.motions, trial_.end);
+  remember_balance();
   departures_ = fpi::departures(scene_, trial_.state);
   take_out(departures_, trial_.state);
+  forecast_.take_out(unknowns_left(trial_.state));
   solvers_.accept(trial_.state, departures_);
   predictor_.accept(dofs_.velocities(trial_.state.motions));
   iteration_.accept();
   forget_changed_bodies();
   if (fluid_moves_bodies_) force_of_dem_ = of_bodies_there(trial_.force_of_dem, trial_.state);
-  resistance_impulse_ = trial_.time_step * trial_.resistance;
   accepted_ = std::move(trial_.state);
   ++steps_;
+}
+
+void Simulation::remember_balance() {
+  if (trial_.resistance.size() == 0) return forecast_.forget();
+  forecast_.accept(trial_.time_step, dofs_.velocities(accepted_.motions),
+                   dofs_.velocities(trial_.state.motions), trial_.force_of_dem, std::move(trial_.resistance));
 }
 
 /// A contact that opened or closed makes a body answer in another way, and one that left answers no more.
@@ -319,8 +345,7 @@ NumbersByName Simulation::numbers() const {
   numbers["predictor"] = predictor_.state();
   numbers["acceleration"] = iteration_.state();
   numbers["force_of_dem"] = {force_of_dem_.begin(), force_of_dem_.end()};
-  const auto resistance = resistance_impulse_.reshaped();
-  numbers["resistance_impulse"] = {resistance.begin(), resistance.end()};
+  numbers["forecast"] = forecast_.state();
   put_numbers(accepted_, numbers);
   return numbers;
 }
@@ -331,9 +356,7 @@ void Simulation::set_numbers(const NumbersByName& numbers) {
   iteration_.set_state(numbers.at("acceleration"));
   const std::vector<double>& force = numbers.at("force_of_dem");
   force_of_dem_ = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<Eigen::Index>(force.size()));
-  const std::vector<double>& resistance = numbers.at("resistance_impulse");
-  const Eigen::Index n = resistance.empty() ? 0 : dofs_.size();
-  resistance_impulse_ = Eigen::Map<const Eigen::MatrixXd>(resistance.data(), n, n);
+  forecast_.set_state(numbers.at("forecast"));
   solvers_.set_arc_lengths(numbers.at("arc_lengths"));
   take_numbers(numbers, accepted_);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coupled_state.hpp"
+#include "coupling/balance_forecast.hpp"
 #include "coupling/predictor.hpp"
 #include "coupling/prescribed_motion.hpp"
 #include "coupling/response.hpp"
@@ -60,6 +61,7 @@ class Simulation {
   void foresee_contacts(double start, Eigen::VectorXd& velocities, Eigen::VectorXd& force_of_dem);
   bool bodies_act(const Eigen::VectorXd& force_of_dem) const;
   Eigen::VectorXd of_bodies_there(Eigen::VectorXd unknowns, const CoupledState& state) const;
+  std::vector<Eigen::Index> unknowns_left(const CoupledState& state) const;
   Eigen::VectorXd missing_force(const Eigen::VectorXd& residual) const;
   void iterate(const Eigen::VectorXd& first);
   bool is_badly_placed() const;
@@ -68,6 +70,7 @@ class Simulation {
   double contraction() const;
   double element_size(std::size_t body) const;
   Eigen::VectorXd iterate_of(const Eigen::VectorXd& force_of_dem) const;
+  void remember_balance();
   void forget_changed_bodies();
   coupling::Exchange exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration);
 
@@ -77,12 +80,11 @@ class Simulation {
   bool fluid_moves_bodies_;  ///< x is what the DEM adds, else the velocities that the fluid gets
   Solvers solvers_;
   coupling::Predictor predictor_;
+  coupling::BalanceForecast forecast_;
   coupling::StaggeredIteration iteration_;
   std::vector<std::optional<coupling::PrescribedMotion>> prescribed_;  ///< of bodies that are not free
   std::vector<coupling::PrescribedMotion> moving_walls_;
 
-  Eigen::MatrixXd
-      resistance_impulse_;  ///< resistance times Δt of the last step that knew it, or without entries
   std::uint64_t steps_ = 0;
   CoupledState accepted_;
   std::vector<Departure> departures_;

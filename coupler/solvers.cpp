@@ -115,6 +115,7 @@ std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState
   if (!answer.converged) return "the fluid did not converge: " + answer.reason;
   take_tractions(std::move(answer.tractions), trial);
   if (wants_resistance) take_resistance(answer.resistance, trial);
+  trial.fluid_speed = answer.speed;
   return "";
 }
 

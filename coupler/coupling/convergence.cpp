@@ -1,5 +1,7 @@
 #include "coupling/convergence.hpp"
 
+#include <algorithm>
+
 namespace fpi::coupling {
 namespace {
 
@@ -7,10 +9,10 @@ double ratio(double residual, double size) { return residual > 0 ? residual / si
 
 }  // namespace
 
-Residual ConvergenceMeasure::velocity(const Eigen::VectorXd& residual,
-                                      const Eigen::VectorXd& velocities) const {
-  return {.relative = ratio(residual.cwiseProduct(inertia_root_).norm(),
-                            velocities.cwiseProduct(inertia_root_).norm()),
+Residual ConvergenceMeasure::velocity(const Eigen::VectorXd& residual, const Eigen::VectorXd& velocities,
+                                      double fluid_speed) const {
+  const double size = std::max(velocities.cwiseProduct(inertia_root_).norm(), mass_root_ * fluid_speed);
+  return {.relative = ratio(residual.cwiseProduct(inertia_root_).norm(), size),
           .largest = residual.cwiseProduct(lever_).lpNorm<Eigen::Infinity>()};
 }
 

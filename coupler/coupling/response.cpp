@@ -34,4 +34,15 @@ Eigen::VectorXd added_inertia(const RigidDofs& dofs, const scene::Fluid& fluid, 
   return dofs.thickness() * added;
 }
 
+Eigen::VectorXd displaced_mass(const RigidDofs& dofs, const scene::Fluid& fluid,
+                               double hydraulic_radius_ratio) {
+  Eigen::VectorXd displaced = Eigen::VectorXd::Zero(dofs.size());
+  for (Eigen::Index k = 0; k < dofs.size(); k += 3) {
+    const double radius = hydraulic_radius_ratio * dofs.lever()[k + 2];
+    displaced.segment<2>(k).setConstant(fluid.density * std::numbers::pi * radius * radius *
+                                        dofs.thickness());
+  }
+  return displaced;
+}
+
 }  // namespace fpi::coupling

@@ -24,4 +24,8 @@ AddedInertia added_inertia(double density, double viscosity, double radius, doub
 Eigen::VectorXd added_inertia(const RigidDofs& dofs, const scene::Fluid& fluid, double hydraulic_radius_ratio,
                               double time_step);
 
+/// m_f of the fluid that each body displaces [kg]; 0 of spins.
+Eigen::VectorXd displaced_mass(const RigidDofs& dofs, const scene::Fluid& fluid,
+                               double hydraulic_radius_ratio);
+
 }  // namespace fpi::coupling

@@ -68,7 +68,7 @@ StepResult StaggeredIteration::solve(const CoupledMap& map, const Eigen::VectorX
       return result;
     }
     Eigen::VectorXd scaled = x.cwiseProduct(scale), residual = exchange.residual.cwiseProduct(scale);
-    result.velocity = measure.velocity(exchange.residual, exchange.velocities);
+    result.velocity = measure.velocity(exchange.residual, exchange.velocities, exchange.fluid_speed);
     result.force = measure.force(exchange.residual, exchange.forces, time_step);
     result.worst = largest(residual);
     result.converged = is_good_enough(measure, contraction, result);

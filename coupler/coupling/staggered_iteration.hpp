@@ -23,6 +23,7 @@ struct Exchange {
   bool is_newton = false;      ///< which would be Newton's: nothing that was learnt could make it better
   Eigen::VectorXd velocities;  ///< of the bodies
   Eigen::VectorXd forces;      ///< of the fluid on them
+  double fluid_speed = 0;      ///< root mean square of its velocity [m/s]; 0 where it is not said
 };
 using CoupledMap = std::function<Exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration)>;
 

@@ -233,6 +233,18 @@ TEST(ConvergenceMeasure, is_a_norm_of_kinetic_energy) {
   EXPECT_EQ(measure.velocity(residual, velocities).largest, 3);
 }
 
+TEST(ConvergenceMeasure, of_velocity_is_against_the_bodies_or_the_fluid_whichever_is_faster) {
+  const RigidDofs dofs(discs(2), 1);
+  const ConvergenceMeasure measure({}, dofs.inertia(), dofs.lever());
+  Eigen::VectorXd residual = Eigen::VectorXd::Zero(6), velocities = residual;
+  residual << 1e-3, 0, 0, 1e-3, 0, 0;
+  velocities << 0, 0.1, 0, 0, 0.1, 0;
+  EXPECT_NEAR(measure.velocity(residual, velocities).relative, 1e-2, 1e-15);
+  EXPECT_NEAR(measure.velocity(residual, velocities, 0.05).relative, 1e-2, 1e-15);
+  EXPECT_NEAR(measure.velocity(residual, velocities, 2).relative, 5e-4, 1e-16);
+  EXPECT_EQ(measure.velocity(residual, velocities, 2).largest, 1e-3);
+}
+
 TEST(ConvergenceMeasure, of_force_is_the_force_that_is_missing) {
   const RigidDofs dofs(discs(1), 1);
   const ConvergenceMeasure measure({}, dofs.inertia(), dofs.lever());
