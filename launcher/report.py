@@ -6,6 +6,7 @@ from pathlib import Path
 from launcher.common import Refusal
 
 MOST_LOADS = 6  # bodies, and boundaries, that have a line each
+WORTH_A_WORD = 0.01  # leak of outlines over the flow
 FILES = {
     "scene.toml": "the scene as run, every default filled in",
     "summary.json": "the figures of this table and more",
@@ -90,6 +91,8 @@ def rows(summary: dict) -> list[tuple[str, str]]:
               for name, one in summary.get("profiles", {}).items() if one["min"] is not None]
     if summary.get("force_balance"):
         lines.append(("force balance", f"the forces on the fluid add up to {summary['force_balance']['rest']:.1e} of the largest"))
+    if words := leak(summary.get("volume_balance") or {}):
+        lines.append(("fluid's volume", words))
     if summary.get("errors"):
         lines.append(("errors", ", ".join(f"{name.replace('_', ' ')} {value:.3e}"
                                           for name, value in summary["errors"].items())))
@@ -97,6 +100,16 @@ def rows(summary: dict) -> list[tuple[str, str]]:
         if counts:
             lines.append((role, ", ".join(f"{value:g} {name.replace('_', ' ')}" for name, value in counts.items())))
     return lines + costs(summary)
+
+
+def leak(balance: dict[str, float]) -> str:
+    """What outlines leak of the flow through the sides, and what to do where that is much; empty without either."""
+    flow = max((abs(value) for name, value in balance.items() if name.startswith("boundary:")), default=0)
+    if flow == 0 or "leak" not in balance:
+        return ""
+    share = abs(balance["leak"]) / flow
+    text = f"outlines leak {share:.2%} of the flow through the sides"
+    return text if share < WORTH_A_WORD else text + ": smaller triangles leak less, or a smaller fluid.embedding.arc_ratio, not below 0.9"
 
 
 def costs(summary: dict) -> list[tuple[str, str]]:

@@ -95,6 +95,17 @@ class Report(unittest.TestCase):
         self.assertEqual(rows["wall time"], "2.0 s (factor 1.5)")
         self.assertEqual(rows["peak memory"], "coupler 2 MB")
 
+    def test_a_leak_of_outlines_is_told_with_what_helps_where_it_is_large(self):
+        def words(leak: float) -> str:
+            balance = {"boundary:left": 2.0, "boundary:right": -2.0 - leak, "bodies": 0.0, "leak": leak, "rest": 0.0}
+            return dict(report.rows(self.SUMMARY | {"volume_balance": balance}))["fluid's volume"]
+
+        self.assertEqual(words(-0.001), "outlines leak 0.05% of the flow through the sides")
+        self.assertRegex(words(-0.5), r"leak 25.00% .*: smaller triangles .* fluid.embedding.arc_ratio")
+        closed = {"boundary:wall": 0.0, "bodies": 1e-20, "leak": 1e-20, "rest": 0.0}
+        for balance in ({}, closed, {"boundary:left": 1.0, "boundary:right": -1.0}):
+            self.assertNotIn("fluid's volume", dict(report.rows(self.SUMMARY | {"volume_balance": balance})))
+
 
 class SetUp(unittest.TestCase):
     def setUp(self):
