@@ -56,7 +56,8 @@ class Integration {
       films_.place(state_);
       const bool flies = std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step;
       if (films_.empty()) {
-        choose_sub_step(ahead.contact_step);
+        const bool iterates = !particles_.load.empty();
+        dt_ = sub_step_length(std::min(ahead.contact_step, model_.largest_sub_step), dt_, left_, iterates);
         if (!flies || !fly(ahead, film_step)) take_sub_steps();
       } else {
         dt_ = std::min({film_step, flies ? ahead.free_time : ahead.contact_step, model_.largest_sub_step});
@@ -76,10 +77,11 @@ class Integration {
   /// before starts among sub-steps, at a moment that does not depend on how far one flew. False where that is
   /// less than a sub-step.
   bool fly(const Outlook& ahead, double film_step) {
-    const double wanted = std::min(
-        {whole_sub_steps(left_), whole_sub_steps(ahead.free_time - dt_), film_step, model_.largest_sub_step});
-    const double within_skin = whole_sub_steps(least_under_loads(
-        [&] { return time_within_skin(*state_.neighbours, state_.wall_contacts, particles_); }));
+    const double wanted =
+        std::min({whole_sub_steps(ahead.free_time - dt_, dt_, left_), film_step, model_.largest_sub_step});
+    const double in_skin = least_under_loads(
+        [&] { return time_within_skin(*state_.neighbours, state_.wall_contacts, particles_); });
+    const double within_skin = whole_sub_steps(in_skin, dt_, left_);
     const bool moved = farthest_moved(*state_.neighbours, particles_) > 0 || state_.wall_contacts.moved > 0;
     if (within_skin < wanted && moved) {
       search_neighbours();
@@ -100,12 +102,6 @@ class Integration {
     ++outcome_.sub_steps;
     outcome_.contacts = 0;
     return true;
-  }
-
-  /// The sub-steps that fit into a time [s], or all that is left of the step.
-  double whole_sub_steps(double time) const {
-    const bool has_length = dt_ > 0 && std::isfinite(dt_);
-    return time < left_ && has_length ? dt_ * std::floor(time / dt_) : std::min(time, left_);
   }
 
   /// Sub-steps of one contact time or more, or what is left; ends early where a search finds new neighbours,
@@ -135,20 +131,6 @@ class Integration {
     }
     load_at(left_ + third * dt_);
     if (films_.empty() && !model_.implicit) sweep({.kick = 0.5 * dt_});
-  }
-
-  /// Sub-steps keep their length while contacts do, which keeps the integrator symplectic: what is left of
-  /// the step is divided into equal parts.
-  ///
-  /// Where a fluid iterates on the loads, what may or may not happen in the step must not change the length,
-  /// or all contacts jump with the loads. So it is that of the contacts that are nearby when the step begins,
-  /// unless contacts become twice as short or four times as long, and the last sub-step is what is left; a
-  /// number of equal parts would jump.
-  void choose_sub_step(double longest) {
-    longest = std::min(longest, model_.largest_sub_step);
-    const bool iterates = !particles_.load.empty();
-    if (dt_ > 0 && dt_ <= (iterates ? 2 : 1.01) * longest && dt_ >= (iterates ? 0.25 : 0.8) * longest) return;
-    dt_ = iterates || longest >= left_ ? longest : left_ / std::ceil(left_ / longest - 0.01);
   }
 
   /// From the middle of the last sub-step, or with half the `kick` from its end, to the middle of this one.

@@ -57,6 +57,18 @@ void Outlook::consider(const Model& model, const PairLaw& law, const Normal& nor
   contact_step = std::min({contact_step, contact_time(model.elasticity, law, met) / steps, pull.step});
 }
 
+double sub_step_length(double longest, double now, double left, bool iterates) {
+  if (now > 0 && now <= (iterates ? 2 : 1.01) * longest && now >= (iterates ? 0.25 : 0.8) * longest)
+    return now;
+  return iterates || longest >= left ? longest : left / std::ceil(left / longest - 0.01);
+}
+
+double whole_sub_steps(double time, double length, double left) {
+  const bool has_length = length > 0 && std::isfinite(length);
+  return time < left && has_length ? length * std::floor(time / length)
+                                   : std::min(left, time);  // left where time is ∞ − ∞
+}
+
 void look_ahead_pairs(const Model& model, const Neighbours& neighbours, const Particles& particles,
                       const std::vector<Vec3>& position, Outlook& outlook) {
   const bool attracts = widest_attraction(model) > 0;

@@ -33,6 +33,19 @@ struct Outlook {
                 double speed, const Pull& pull);
 };
 
+/// Length [s] of the sub-steps from now on: at most `longest`, `now` so far in the step (0 at its start), of
+/// which `left` [s] is left. It stays while contacts do, which keeps the integrator symplectic: what is left
+/// of the step is divided into equal parts.
+///
+/// Where a fluid `iterates` on the loads, what may or may not happen in the step must not change the length,
+/// or all contacts jump with the loads. So it is that of the contacts that are nearby when the step begins,
+/// unless contacts become twice as short or four times as long, and the last sub-step is what is left; a
+/// number of equal parts would jump.
+double sub_step_length(double longest, double now, double left, bool iterates);
+
+/// The time of the sub-steps of `length` that fit into `time` [s], or all that is `left` of the step.
+double whole_sub_steps(double time, double length, double left);
+
 /// Looks ahead at the pairs from the velocities of `half`, under their constant loads; `position` in the
 /// scene's order is for attractions only.
 void look_ahead_pairs(const Model& model, const Neighbours& neighbours, const Particles& particles,
