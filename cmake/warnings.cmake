@@ -7,6 +7,9 @@ target_compile_options(fpi_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -
   -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized -Wno-uninitialized)
 if(FPI_NATIVE)
   target_compile_options(fpi_options INTERFACE -march=native)
+else()
+  # Without AVX four lanes (core/lanes.hpp) are passed in memory. All that passes them is compiled here.
+  target_compile_options(fpi_options INTERFACE -Wno-psabi)
 endif()
 if(FPI_SANITIZE)
   target_compile_options(fpi_options INTERFACE -fsanitize=${FPI_SANITIZE} -fno-sanitize-recover=all
