@@ -113,11 +113,13 @@ def leak(balance: dict[str, float]) -> str:
 
 
 def costs(summary: dict) -> list[tuple[str, str]]:
-    """Wall time by part, peak memory by program."""
+    """Wall time, of a step and by part, the largest first; peak memory by program."""
     seconds, memory = summary["wall_seconds"], summary.get("peak_memory_bytes", {})
     parts = sorted(((value, key) for key, value in seconds.items() if key != "total" and value), reverse=True)
     spent = ", ".join(f"{key} {value:.2g}" for value, key in parts)
-    lines = [("wall time", f"{seconds['total']:.1f} s" + (f" ({spent})" if spent else ""))]
+    steps = summary["steps"]
+    total = f"{seconds['total']:.1f} s" + (f", {seconds['total'] / steps:.2g} s a step" if steps > 1 else "")
+    lines = [("wall time", total + (f" ({spent})" if spent else ""))]
     peaks = ", ".join(f"{program} {size / 2**20:.0f} MB" for program, size in memory.items() if size)
     return lines + ([("peak memory", peaks)] if peaks else [])
 

@@ -92,7 +92,7 @@ class Report(unittest.TestCase):
         self.assertEqual(rows["u"], "-0.25 at (0.5, 0.125) m to 1 at (0.5, 1) m")
         self.assertEqual(rows["errors"], "velocity l2 1.000e-05")
         self.assertEqual(rows["fluid"], "3 new count")
-        self.assertEqual(rows["wall time"], "2.0 s (factor 1.5)")
+        self.assertEqual(rows["wall time"], "2.0 s, 0.29 s a step (factor 1.5)")
         self.assertEqual(rows["peak memory"], "coupler 2 MB")
 
     def test_a_leak_of_outlines_is_told_with_what_helps_where_it_is_large(self):
