@@ -240,6 +240,7 @@ std::string to_json(const Summary& s) {
               {"version", s.origin.version},
               {"scene_fingerprint", s.origin.scene_fingerprint},
               {"steps", s.statistics.steps()},
+              {"steps_before", s.steps_before},
               {"sub_iterations",
                {{"mean", s.statistics.mean_sub_iterations()}, {"max", s.statistics.max_sub_iterations()}}},
               {"coupling", coupling_report(s)},

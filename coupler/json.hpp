@@ -20,6 +20,7 @@ struct Summary {
   std::string status = "failed";  ///< "completed" | "failed"
   std::string reason;             ///< why failed, or ""
   Statistics statistics;
+  std::uint64_t steps_before = 0;  ///< of these, those that the run had taken when it was resumed
   /// Of participants by role, as they said goodbye; a role that was lost is there without figures.
   std::map<std::string, proto::Figures> figures;
   std::string worst_body;                                     ///< of the coupling, or ""

@@ -171,6 +171,7 @@ class Session {
   void march() {
     if (checkpoint_) {
       run_->resume(files_, *checkpoint_);
+      summary_.steps_before = run_->statistics().steps();
       checkpoint_.reset();  // it can be large
     } else {
       run_->start(files_);

@@ -117,7 +117,7 @@ def costs(summary: dict) -> list[tuple[str, str]]:
     seconds, memory = summary["wall_seconds"], summary.get("peak_memory_bytes", {})
     parts = sorted(((value, key) for key, value in seconds.items() if key != "total" and value), reverse=True)
     spent = ", ".join(f"{key} {value:.2g}" for value, key in parts)
-    steps = summary["steps"]
+    steps = summary["steps"] - summary.get("steps_before", 0)
     total = f"{seconds['total']:.1f} s" + (f", {seconds['total'] / steps:.2g} s a step" if steps > 1 else "")
     lines = [("wall time", total + (f" ({spent})" if spent else ""))]
     peaks = ", ".join(f"{program} {size / 2**20:.0f} MB" for program, size in memory.items() if size)

@@ -11,7 +11,7 @@ from pathlib import Path
 from harness import DRUM_SCENE, EXIT_SCENE, SETTLING_SCENE, CoupledRun, channel_scene, interrupt, run_coupler, toy_scene
 
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
-KEYS = {"status", "reason", "steps", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
+KEYS = {"status", "reason", "steps", "steps_before", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
         "wall_seconds", "peak_memory_bytes", "bodies", "boundaries", "coefficients", "probes", "signals", "profiles",
         "errors", "counts", "grains", "coupling", "outlets", "onset", "version", "scene_fingerprint", "percolation",
         "force_balance", "volume_balance", "drives"}
@@ -112,7 +112,7 @@ class Coupled(unittest.TestCase):
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertIn("resumed after step 18", resumed.log())
         self.assertEqual((run.out / "history.csv").read_bytes(), history)
-        self.assertEqual(resumed.summary["steps"], 20)
+        self.assertEqual((resumed.summary["steps"], resumed.summary["steps_before"]), (20, 18))
 
     def test_a_killed_coupler_can_be_resumed_to_the_same_history(self):
         scene = toy_scene(step=1e-4, checkpoint_every=50)
