@@ -65,6 +65,27 @@ TEST_P(DirectSolver, solves_saddle_point_systems_to_round_off) {
   }
 }
 
+/// So many unknowns that UMFPACK is called with 64-bit integers: a chain of springs.
+TEST_P(DirectSolver, solves_more_unknowns_than_are_counted_in_32_bits) {
+  constexpr Index n = 410000;
+  const BlockMask mask = BlockMask::dense(2);
+  BlockMatrix chain{n};
+  for (Index e = 0; e + 1 < n; ++e) chain.declare(std::array<Index, 2>{e, e + 1}, mask);
+  chain.finish();
+  chain.set_zero();
+  const std::array<double, 4> spring{2, -1, -1, 2};
+  for (Index e = 0; e + 1 < n; ++e) chain.add(e, spring.data());
+  const Vector wanted = Vector::LinSpaced(n, -1, 2).array().sin();
+  Vector b = 4 * wanted;
+  b[0] -= 2 * wanted[0];
+  b[n - 1] -= 2 * wanted[n - 1];
+  b.head(n - 1) -= wanted.tail(n - 1);
+  b.tail(n - 1) -= wanted.head(n - 1);
+  const auto factor = analysis(chain)->factor(chain);
+  EXPECT_LT((factor->solve(b) - wanted).lpNorm<Eigen::Infinity>(), 1e-12);
+  EXPECT_LT((factor->solve_transposed(b) - wanted).lpNorm<Eigen::Infinity>(), 1e-12);
+}
+
 TEST_P(DirectSolver, solves_the_transposed_system_with_the_same_factor) {
   const SaddlePoint system;
   const auto factor = analysis(system.matrix)->factor(system.matrix);
