@@ -93,9 +93,10 @@ std::optional<double> NavierStokes::pressure_fall(int axis) {
 Eigen::Matrix2d NavierStokes::permeability() {
   if (!accepted_system_) return Eigen::Matrix2d::Zero();
   System& system = *accepted_system_;
-  const bool has_factor = !last_ && current_.factor && flow_.convection == 0 && time_terms_.inertia == 0 &&
-                          system.drives().size() == 0;
-  if (has_factor) return fluid::permeability(system, *current_.factor, flow_.viscosity);
+  const Corrector& last = current_.corrector;
+  const bool has_factor = !last_ && last.factor && last.is_exact && flow_.convection == 0 &&
+                          time_terms_.inertia == 0 && system.drives().size() == 0;
+  if (has_factor) return fluid::permeability(system, *last.factor, flow_.viscosity);
   Flow creeping = flow_;
   creeping.convection = 0;
   const auto [u, p, lambda, rigid, drive] = system.no_residual();

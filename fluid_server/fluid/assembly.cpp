@@ -6,8 +6,6 @@
 namespace fpi::fluid {
 namespace {
 
-/// Rate of the ghost penalty over speed/h, measured: less is noisier, more less exact.
-constexpr double passing = 3;
 constexpr std::size_t most_curved_points = triangle_degree_6.size();
 
 /// Writes the nodal values of a cell into one lane of the state.
@@ -28,14 +26,6 @@ void take_values(const Mesh& mesh, Index cell, const Fields& fields, const TimeT
     part(state.wy[i], lane) = time.moves() ? time.drift[2 * n + 1] : 0;
   }
   for (int k = 0; k < 3; ++k) part(state.p[k], lane) = fields.p[vertices[k]];
-}
-
-/// Of the paths of some nodes [m/s].
-double largest_drift(const TimeTerms& time, std::span<const Index> nodes) {
-  double largest = 0;
-  if (time.moves())
-    for (Index n : nodes) largest = std::max(largest, time.drift.segment<2>(2 * n).norm());
-  return largest;
 }
 
 /// Adds the residual in one lane to the nodes of a cell.
@@ -136,19 +126,13 @@ void System::assemble_ghost(const Flow& flow, const Fields& fields, const TimeTe
     const GhostFace& face = *shared;
     const double viscous = embedding_.ghost_viscous * mu / face.h2;
     const double pressure = -embedding_.ghost_pressure / mu;  // the continuity equation carries −s_p
-
-    // γ_m acts on the acceleration where the body rests, so that it vanishes with Δt as the scheme's own
-    // error does; where it moves, nodes inside have no history, so on u, at the rate at which elements are
-    // passed.
-    const double speed = largest_drift(time, face.nodes);
-    const double rate =
-        speed > 0 ? std::min(time.inertia, passing * speed / std::sqrt(face.h2)) : time.inertia;
+    const auto [of_acceleration, rate] = ghost_inertia(face, time.drift, time.inertia);
     const double inertial = embedding_.ghost_inertia * rho;
     Eigen::Matrix<double, 9, 2> z;
     for (int i = 0; i < 9; ++i)
       for (int c = 0; c < 2; ++c) {
         const Index k = 2 * face.nodes[i] + c;
-        z(i, c) = viscous * fields.u[k] + inertial * (speed > 0 ? rate * fields.u[k] : acceleration[k]);
+        z(i, c) = viscous * fields.u[k] + inertial * (of_acceleration ? acceleration[k] : rate * fields.u[k]);
       }
     const Eigen::Matrix<double, 9, 2> r = face.velocity * z;
     for (int i = 0; i < 9; ++i)

@@ -74,4 +74,20 @@ void BlockMatrix::finish() {
   equations_ = {};
 }
 
+BlockMatrix BlockMatrix::part(std::span<const Index> equations) const {
+  BlockMatrix out(static_cast<Index>(equations.size()));
+  std::vector<Index> place(n_, -1);
+  for (Index k = 0; k < out.n_; ++k) place[equations[k]] = k;
+  out.column_start_.assign(1, 0);
+  for (const Index column : equations) {
+    for (Index k = column_start_[column]; k < column_start_[column + 1]; ++k) {
+      if (place[row_[k]] < 0) continue;
+      out.row_.push_back(place[row_[k]]);
+      out.values_.push_back(values_[k]);
+    }
+    out.column_start_.push_back(out.non_zeros());
+  }
+  return out;
+}
+
 }  // namespace fpi::fluid

@@ -3,6 +3,7 @@
 /// gather-free loop.
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,12 @@ class BlockMatrix {
     const std::size_t begin = first_entry_[block], end = first_entry_[block + 1];
     for (std::size_t k = begin; k < end; ++k, dense += stride)
       if (place_[k] >= 0) values_[place_[k]] += *dense;
+  }
+
+  /// The rows and columns of these equations, in their order, as a matrix of its own without blocks.
+  BlockMatrix part(std::span<const Index> equations) const;
+  Eigen::Map<const Eigen::SparseMatrix<double>> view() const {
+    return {n_, n_, non_zeros(), column_start_.data(), row_.data(), values_.data()};
   }
 
   Index n() const { return n_; }

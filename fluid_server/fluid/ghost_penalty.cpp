@@ -61,4 +61,13 @@ GhostFace ghost_face(const Mesh& mesh, Index edge) {
   return face;
 }
 
+GhostInertia ghost_inertia(const GhostFace& face, const Vector& drift, double inertia) {
+  constexpr double passing = 3;  // rate over speed/h, measured: less is noisier, more less exact
+  double speed = 0;
+  if (drift.size() > 0)
+    for (const Index node : face.nodes) speed = std::max(speed, drift.segment<2>(2 * node).norm());
+  if (speed == 0) return {true, inertia};
+  return {false, std::min(inertia, passing * speed / std::sqrt(face.h2))};
+}
+
 }  // namespace fpi::fluid

@@ -20,4 +20,16 @@ struct GhostFace {
 
 GhostFace ghost_face(const Mesh& mesh, Index edge);
 
+/// The inertial part γ_m acts on the acceleration where the body rests, so that it vanishes with Δt as the
+/// scheme's own error does; where the body moves, nodes inside have no history, so on u, at the rate at which
+/// elements are passed.
+struct GhostInertia {
+  bool of_acceleration;
+  double rate;  ///< ∂/∂u of what it acts on [1/s]
+};
+
+/// With the velocity at which nodes drift with bodies (x, y of each [m/s]; empty: all stay) and the inertia
+/// of the time scheme [1/s].
+GhostInertia ghost_inertia(const GhostFace& face, const Vector& drift, double inertia);
+
 }  // namespace fpi::fluid

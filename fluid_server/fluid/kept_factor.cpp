@@ -4,21 +4,20 @@
 
 namespace fpi::fluid {
 
-void KeptFactor::lend(Iterate& iterate, double inertia, bool is_linear) const {
-  iterate.factor = nullptr;
-  iterate.cost = cost_;
-  if (!factor_) return;
-  const bool close = std::abs(inertia - inertia_) <= 0.2 * inertia_;
-  if (is_linear ? inertia == inertia_ : close) iterate.factor = factor_;
+Corrector KeptFactor::lend(double inertia, bool is_same_system) const {
+  if (std::abs(inertia - inertia_) > 0.2 * inertia_) return {};
+  Corrector lent = corrector_;
+  lent.is_exact = lent.is_exact && is_same_system && inertia == inertia_;
+  if (!is_same_system) lent.factor = nullptr;
+  return lent;
 }
 
-void KeptFactor::take(const Iterate& iterate, double inertia) {
-  const bool is_new = iterate.factor != factor_;
-  const double of_step = iterate.cost - (is_new ? 0 : cost_);
+void KeptFactor::take(const Corrector& corrector, double inertia) {
+  const bool is_new = corrector.background != corrector_.background;
+  const double of_step = corrector.cost - (is_new ? 0 : corrector_.cost);
   steps_ = is_new ? 1 : steps_ + 1;
-  cost_ = iterate.cost;
   inertia_ = inertia;
-  factor_ = of_step > cost_ / steps_ ? nullptr : iterate.factor;
+  corrector_ = of_step > corrector.cost / steps_ ? Corrector{} : corrector;
 }
 
 }  // namespace fpi::fluid

@@ -1,5 +1,6 @@
-/// The factor that one step leaves to the next. It is kept until a step with it costs more than its steps did
-/// on average, its making included: from there on the average would rise, so a new factor is cheaper.
+/// The factor that one step leaves to the next, to be used as it is or, where bodies have moved, as the
+/// background of another. It is kept until a step with it costs more than its steps did on average, its
+/// making included: from there on the average would rise, so a new factor is cheaper.
 #pragma once
 
 #include "fluid/newton.hpp"
@@ -8,17 +9,16 @@ namespace fpi::fluid {
 
 class KeptFactor {
  public:
-  /// Gives the factor to a step of this inertia [1/s], or none where it does not fit. A linear
-  /// problem trusts a factor, so there it must fit to the bit; else a fifth more or less serves.
-  void lend(Iterate& iterate, double inertia, bool is_linear) const;
+  /// For a step of this inertia [1/s], a fifth more or less than it was made for. Another system than the one
+  /// that left it gets the background alone.
+  Corrector lend(double inertia, bool is_same_system) const;
   /// Takes what an accepted step ended with.
-  void take(const Iterate& iterate, double inertia);
+  void take(const Corrector& corrector, double inertia);
   void drop() { *this = {}; }
 
  private:
-  std::shared_ptr<const Factor> factor_;
-  double cost_ = 0;     // of the factor and all solves with it
-  unsigned steps_ = 0;  // that it has served
+  Corrector corrector_;
+  unsigned steps_ = 0;  // that its background has served
   double inertia_ = 0;  // of the last of them
 };
 

@@ -68,7 +68,8 @@ Result NavierStokes::advance(const Request& request) {
   if (result.newton.converged) {
     result.tractions = tractions();
     result.speed = system_->speed(current_.fields.u);
-    if (request.wants_resistance && current_.factor) result.resistance = current_.factor->schur_complement();
+    if (request.wants_resistance && current_.corrector.factor)
+      result.resistance = current_.corrector.factor->schur_complement();
     if (request.time_step > 0)
       result.time_error = time_error(scheme_, start_, current_.fields.u, request.time_step);
   }
@@ -102,10 +103,10 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   base_.fields = with_multipliers(
       predicted_velocity(start_, request.time_step, follow ? best_order(start_) : 0), start_.p);
   if (start_.damped_steps > 0) return result;  // with the factor of the first half
-  base_.factor = nullptr;
-  if (system_ == accepted_system_) kept_.lend(base_, time_terms_.inertia, flow_.convection == 0);
-  if (system_->factors_have_resistance() && base_.factor && base_.factor->schur_complement().size() == 0)
-    base_.factor = nullptr;
+  base_.corrector = kept_.lend(time_terms_.inertia, system_ == accepted_system_);
+  if (time_terms_.moves()) base_.corrector.is_exact = false;  // the drift is another one each step
+  if (base_.corrector.background && !system_->has_resistance(*base_.corrector.background))
+    base_.corrector = {};
   return result;
 }
 
@@ -240,10 +241,8 @@ void NavierStokes::accept() {
   }
   for (Vector* field : {&accepted_.u, &accepted_.acceleration}) spread_to_copies(space_.mesh, 2, *field);
   spread_to_copies(space_.mesh, 1, accepted_.p);
-  if (time_terms_.moves())
-    kept_.drop();  // the next step has another matrix, be it for the drift alone
-  else
-    kept_.take(current_, time_terms_.inertia);
+  if (time_terms_.moves()) current_.corrector.is_exact = false;
+  kept_.take(current_.corrector, time_terms_.inertia);
   accepted_system_ = system_;
   last_.reset();
 }
@@ -265,8 +264,7 @@ void NavierStokes::set_state(State state) {
 
 void NavierStokes::drop_caches() {
   kept_.drop();
-  base_.factor.reset();
-  current_.factor.reset();
+  base_.corrector = current_.corrector = {};
 }
 
 double NavierStokes::arc_length(const Outline& outline) const {

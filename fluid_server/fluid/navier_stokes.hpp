@@ -51,8 +51,8 @@ struct Result {
   std::vector<BodyTraction> tractions;
   /// How forces and torques on the bodies that the fluid moves go with their velocities Vx, Vy and spins ω at
   /// the end of the step, m/Δt included, per metre of thickness, in the order of the interfaces [kg/(m s),
-  /// …]: the Schur complement of the step's first factor. Without entries unless wanted and the linear solver
-  /// gives it.
+  /// …]: the Schur complement of the step's first factor, or of the older one that it was made from. Without
+  /// entries unless wanted and the linear solver gives it.
   Eigen::MatrixXd resistance;
   double speed = 0;  ///< root mean square of the velocity at the nodes in the fluid [m/s]
 };

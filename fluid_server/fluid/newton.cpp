@@ -67,20 +67,21 @@ class Iteration {
     if (result_.iterations == parameters_.max_iterations) give_up();
     ++result_.iterations;
     count("newton_iterations");
-    fresh_ = !iterate_.factor;
-    const Vector residual = assemble(fresh_);
-    if (fresh_) make_factor();
+    fresh_ = false;
+    const bool is_missing = !corrector().factor;
+    const Vector residual = assemble(is_missing);
+    if (is_missing) make_factor();
     monitor_.phase("solve");
     const ScopedTimer timer(monitor_.ledger, "solve");
     count("solves");
-    correction_ = -iterate_.factor->solve(residual);
-    iterate_.cost += iterate_.factor->solve_cost();
+    correction_ = -corrector().factor->solve(residual);
+    corrector().cost += corrector().factor->solve_cost();
     length_ = weight_.cwiseProduct(correction_).norm();
     if (fresh_ && !std::isfinite(length_)) throw Failed{"the solution is not finite"};
   }
 
   void correct_anew() {
-    iterate_.factor.reset();
+    iterate_.corrector = {};
     anderson_.clear();
     last_ratio_ = 0;
     correct();
@@ -97,11 +98,14 @@ class Iteration {
   void make_factor() {
     monitor_.phase("factor");
     const ScopedTimer timer(monitor_.ledger, "factor");
-    count("factorisations");
-    iterate_.factor = system_.factor(monitor_.ledger);
-    iterate_.cost = iterate_.factor->factor_cost();
-    if (!iterate_.factor->is_singular()) return;
-    iterate_.factor.reset();
+    const auto offered = corrector().background;
+    corrector().factor = system_.factor(time_, corrector().background, monitor_.ledger);
+    fresh_ = corrector().is_exact = corrector().background != offered;
+    count(fresh_ ? "factorisations" : "zone_factorisations");
+    if (fresh_) corrector().cost = 0;
+    corrector().cost += corrector().factor->factor_cost();
+    if (!corrector().factor->is_singular()) return;
+    iterate_.corrector = {};
     throw Failed{
         "the matrix is singular (arcs far shorter than the elements, or bodies on top of each other?)"};
   }
@@ -140,8 +144,9 @@ class Iteration {
   bool factor_pays() const {
     if (slowest_ >= 1) return false;
     const double left = std::log(target() / length_) / std::log(slowest_);
-    const Factor& factor = *iterate_.factor;
-    return left * factor.solve_cost() < factor.factor_cost() + 3 * factor.solve_cost();
+    const Corrector& corrector = iterate_.corrector;
+    const double solve_cost = corrector.factor->solve_cost();
+    return left * solve_cost < corrector.background->factor->factor_cost() + 3 * solve_cost;
   }
 
   void finish() {
@@ -161,13 +166,16 @@ class Iteration {
         system_.largest_residual(system_.gather(system_.assemble(flow_, iterate_.fields, time_, false))))};
   }
 
-  bool is_small(double length) const { return flow_.convection == 0 || length <= target(); }
+  bool is_small(double length) const {
+    return (flow_.convection == 0 && iterate_.corrector.is_exact) || length <= target();
+  }
   double target() const {
     return std::max(parameters_.relative_tolerance * size(),
                     round_off_velocity(flow_, time_, iterate_.fields, system_.smallest_size()));
   }
   double size() const { return iterate_.fields.u.norm(); }
   double relative(double length) const { return size() > 0 ? length / size() : 0; }
+  Corrector& corrector() { return iterate_.corrector; }
   void count(const char* what) { monitor_.ledger.counts[what] += 1; }
 
   System& system_;

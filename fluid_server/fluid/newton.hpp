@@ -19,11 +19,19 @@ struct Monitor {
   std::function<void(const char*)> phase = [](const char*) {};
 };
 
-/// A guess, and the factor that corrects it with what it has cost so far.
+/// What turns residuals into corrections.
+struct Corrector {
+  std::shared_ptr<const Factor> factor;          ///< null: to be made at the guess
+  std::shared_ptr<const Background> background;  ///< that the factor was made from, or is to be; null: none
+  /// Where the problem is linear, the factor is that of its very matrix.
+  bool is_exact = false;
+  double cost = 0;  ///< of the background and all that was made from it and solved with it, see Factor
+};
+
+/// A guess, and what corrects it.
 struct Iterate {
   Fields fields;
-  std::shared_ptr<const Factor> factor;  ///< null: to be made at the guess
-  double cost = 0;                       ///< of the factor and of all solves with it, see Factor::cost
+  Corrector corrector;
 };
 
 struct NewtonResult {
@@ -34,7 +42,7 @@ struct NewtonResult {
 };
 
 /// Improves `iterate` until what is left of the velocity's error is estimated below tolerance · |u|. A linear
-/// problem takes one correction with its own factor. `iterate` is as good as it got where that fails.
+/// problem takes one correction with an exact factor. `iterate` is as good as it got where that fails.
 NewtonResult solve(System& system, const Flow& flow, const TimeTerms& time, const scene::Newton& parameters,
                    Iterate& iterate, Monitor& monitor);
 

@@ -36,8 +36,8 @@ NewtonResult NavierStokes::begin(const Request& request) {
 NewtonResult NavierStokes::first_half_step(const Request& request) {
   const double half = 0.5 * request.time_step;
   const TimeTerms terms = time_terms(Scheme::newmark(half, 1), start_);
-  Iterate& iterate = base_ = {with_multipliers(start_.u, start_.p), nullptr, 0};
-  if (system_ == accepted_system_) kept_.lend(iterate, terms.inertia, flow_.convection == 0);
+  Iterate& iterate =
+      base_ = {with_multipliers(start_.u, start_.p), kept_.lend(terms.inertia, system_ == accepted_system_)};
   system_->set_load(request.time - half, body_force_);
   space_.boundary.impose(request.time - half, iterate.fields.u);
   const NewtonResult result = solve(*system_, flow_, terms, settings_.fluid.newton, iterate, monitor);
@@ -50,7 +50,7 @@ NewtonResult NavierStokes::first_half_step(const Request& request) {
 /// the boundaries, the second finds the acceleration that the equations and the boundaries then ask for.
 NewtonResult NavierStokes::find_consistent_start(const Request& request, State& start) {
   const double tiny = 1e-6 * request.time_step;
-  Iterate iterate{with_multipliers(start.u, start.p), nullptr, 0};
+  Iterate iterate{with_multipliers(start.u, start.p), {}};
   NewtonResult result;
   for (const double t : {start.time, start.time + tiny}) {
     start.u = iterate.fields.u;

@@ -36,7 +36,7 @@ NewtonResult solve_steady(System& system, const Flow& flow, const scene::Newton&
     monitor.ledger.counts["continuation_retreats"] += 1;
     now.convection = reached;
     iterate.fields = fields;
-    iterate.factor.reset();
+    iterate.corrector = {};
     part /= 4;
     if (part >= smallest_part) continue;
     result.converged = false;

@@ -278,8 +278,16 @@ std::shared_ptr<const Factor> System::factor_of_matrix(Ledger& ledger) {
   return analysis_->factor(matrix_);
 }
 
-std::shared_ptr<const Factor> System::factor(Ledger& ledger) {
-  auto inner = factor_of_matrix(ledger);
+std::shared_ptr<const Factor> System::factor(const TimeTerms& time,
+                                             std::shared_ptr<const Background>& background, Ledger& ledger) {
+  Layout layout{interfaces_, cut_, numbering_, time.drift, time.inertia};
+  std::shared_ptr<const Factor> inner;
+  if (background && has_resistance(*background))
+    inner = with_zone_correction(background, space_.mesh, layout, matrix_);
+  if (!inner) {
+    inner = factor_of_matrix(ledger);
+    background = std::make_shared<Background>(inner, std::move(layout));
+  }
   if (drives_.size() == 0) return inner;
   Columns columns(numbering_.n_equations, drives_.size()), rows = columns;
   for (Index k = 0; k < drives_.size(); ++k) {
@@ -295,6 +303,18 @@ std::shared_ptr<const Factor> System::factor(Ledger& ledger) {
 void System::want_resistance(bool wanted) {
   wanted = wanted && !free_bodies_.empty() && drives_.size() == 0 && gives_schur_complements(linear_solver_);
   if (std::exchange(wants_resistance_, wanted) != wanted) analysis_.reset();
+}
+
+bool System::has_resistance(const Background& background) const {
+  if (!wants_resistance_) return true;
+  const auto free_bodies = [](const std::vector<Interface>& interfaces) {
+    std::vector<Index> bodies;
+    for (const Interface& interface : interfaces)
+      if (interface.balance) bodies.push_back(interface.body);
+    return bodies;
+  };
+  return background.factor->schur_complement().size() > 0 &&
+         free_bodies(background.layout.interfaces) == free_bodies(interfaces_);
 }
 
 Vector System::velocity_weight() const {

@@ -15,6 +15,7 @@
 #include "fluid/linear_solver.hpp"
 #include "fluid/numbering.hpp"
 #include "fluid/space.hpp"
+#include "fluid/zone_correction.hpp"
 #include "scene/fluid.hpp"
 
 namespace fpi::fluid {
@@ -114,12 +115,15 @@ class System {
   /// Factors the matrix as it stands, without the drives; its pattern is analysed once. `ledger` counts
   /// analyses.
   std::shared_ptr<const Factor> factor_of_matrix(Ledger& ledger);
-  /// Of the whole system.
-  std::shared_ptr<const Factor> factor(Ledger& ledger);
+  /// Of the whole system: made from `background` where one is given and that pays, else new, and then the
+  /// background of later ones.
+  std::shared_ptr<const Factor> factor(const TimeTerms& time, std::shared_ptr<const Background>& background,
+                                       Ledger& ledger);
   /// Whether factors are to have the Schur complement of the bodies that the fluid moves, which tells how it
   /// resists them; where the linear solver cannot give it, or drives are unknowns, they have none.
   void want_resistance(bool wanted);
-  bool factors_have_resistance() const { return wants_resistance_; }
+  /// Whether factors made from the background have it, if it is wanted.
+  bool has_resistance(const Background& background) const;
   /// 1 for each equation of a velocity, 0 for all else: that follows from the velocities.
   Vector velocity_weight() const;
   /// Root mean square of a velocity at the nodes in the fluid [m/s].

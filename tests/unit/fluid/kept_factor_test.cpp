@@ -12,35 +12,66 @@ struct FakeFactor : Factor {
 
 constexpr double inertia = 100;
 
-std::shared_ptr<const Factor> lent(const KeptFactor& kept, double now, bool is_linear) {
-  Iterate iterate;
-  kept.lend(iterate, now, is_linear);
-  return iterate.factor;
+Corrector exact(double cost) {
+  const auto factor = std::make_shared<FakeFactor>();
+  return {factor, std::make_shared<Background>(factor, Layout{}), true, cost};
 }
 
 TEST(KeptFactor, is_dropped_by_the_step_that_costs_more_than_the_average) {
   KeptFactor kept;
-  Iterate iterate{{}, std::make_shared<FakeFactor>(), 10};  // the factor and the first step
-  kept.take(iterate, inertia);
+  Corrector corrector = exact(10);  // the factor and the first step
+  kept.take(corrector, inertia);
   for (const double of_step : {1.0, 2.0, 3.0}) {  // averages 5.5, 4.33, 4
-    ASSERT_TRUE(lent(kept, inertia, false));
-    iterate.cost += of_step;
-    kept.take(iterate, inertia);
+    ASSERT_TRUE(kept.lend(inertia, true).factor);
+    corrector.cost += of_step;
+    kept.take(corrector, inertia);
   }
-  ASSERT_TRUE(lent(kept, inertia, false));
-  iterate.cost += 5;  // average 4.2
-  kept.take(iterate, inertia);
-  EXPECT_FALSE(lent(kept, inertia, false));
+  ASSERT_TRUE(kept.lend(inertia, true).factor);
+  corrector.cost += 5;  // average 4.2
+  kept.take(corrector, inertia);
+  EXPECT_FALSE(kept.lend(inertia, true).factor);
+  EXPECT_FALSE(kept.lend(inertia, false).background);
 }
 
-TEST(KeptFactor, serves_a_linear_problem_only_with_the_same_inertia) {
+TEST(KeptFactor, is_exact_only_with_the_same_inertia_and_in_the_same_system) {
   KeptFactor kept;
-  kept.take({{}, std::make_shared<FakeFactor>(), 1}, inertia);
-  EXPECT_TRUE(lent(kept, inertia, true));
-  EXPECT_FALSE(lent(kept, 1.01 * inertia, true));
-  EXPECT_TRUE(lent(kept, 1.15 * inertia, false));
-  EXPECT_FALSE(lent(kept, 2 * inertia, false));
-  EXPECT_FALSE(lent(kept, 0 * inertia, false));
+  kept.take(exact(1), inertia);
+  EXPECT_TRUE(kept.lend(inertia, true).is_exact);
+  EXPECT_FALSE(kept.lend(1.01 * inertia, true).is_exact);
+  EXPECT_FALSE(kept.lend(inertia, false).is_exact);
+}
+
+TEST(KeptFactor, serves_with_an_inertia_that_is_near) {
+  KeptFactor kept;
+  kept.take(exact(1), inertia);
+  EXPECT_TRUE(kept.lend(1.15 * inertia, true).factor);
+  for (const bool is_same_system : {true, false}) {
+    EXPECT_FALSE(kept.lend(2 * inertia, is_same_system).background);
+    EXPECT_FALSE(kept.lend(0 * inertia, is_same_system).background);
+  }
+}
+
+TEST(KeptFactor, is_the_background_alone_for_another_system) {
+  KeptFactor kept;
+  const Corrector taken = exact(1);
+  kept.take(taken, inertia);
+  const Corrector lent = kept.lend(inertia, false);
+  EXPECT_FALSE(lent.factor);
+  EXPECT_EQ(lent.background, taken.background);
+  EXPECT_EQ(lent.cost, 1);
+}
+
+TEST(KeptFactor, averages_over_all_factors_made_from_one_background) {
+  KeptFactor kept;
+  Corrector corrector = exact(10);
+  kept.take(corrector, inertia);
+  corrector.factor = std::make_shared<FakeFactor>();  // corrected
+  corrector.cost += 4;                                // average 7
+  kept.take(corrector, inertia);
+  EXPECT_TRUE(kept.lend(inertia, false).background);
+  corrector = exact(3);  // a new background begins a new average
+  kept.take(corrector, inertia);
+  EXPECT_TRUE(kept.lend(inertia, false).background);
 }
 
 }  // namespace

@@ -74,5 +74,38 @@ TEST(Effort, creeping_flow_is_found_with_the_factor_of_stokes_flow) {
   EXPECT_EQ(counted(solver, "factorisations"), 1);
 }
 
+/// Forces on one of two discs that goes through a channel beside the other, step by step.
+std::vector<Vec2> forces_on_a_moving_disc(NavierStokes& solver, bool keeps_factors) {
+  std::vector<Vec2> forces;
+  for (int step = 1; step <= 20; ++step) {
+    Interface moving = circle(0, {0.3 + 0.01 * step, 0.5 + 0.004 * step}, 0.12, 1.0 / 24);
+    moving.rigid.translation = {1, 0.4};
+    const Result result =
+        solver.advance({0.01 * step, 0.01, 0, {moving, circle(1, {0.75, 0.2}, 0.1, 1.0 / 24)}});
+    EXPECT_TRUE(result.newton.converged) << result.newton.reason;
+    solver.accept();
+    if (!keeps_factors) solver.drop_caches();
+    forces.push_back(result.tractions[0].force);
+  }
+  return forces;
+}
+
+TEST(Effort, a_disc_that_moves_through_a_flow_keeps_the_factor_of_where_it_was) {
+  for (const bool convection : {true, false}) {
+    auto s = channel(0.02);
+    s.bodies_move = true;
+    s.fluid.convection = convection;
+    s.fluid.newton.relative_tolerance = 1e-9;
+    NavierStokes keeping(square(24), s), dropping(square(24), s);
+    const auto kept = forces_on_a_moving_disc(keeping, true);
+    const auto dropped = forces_on_a_moving_disc(dropping, false);
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      EXPECT_LT((kept[k] - dropped[k]).norm(), 1e-6 * dropped[k].norm()) << k;
+    EXPECT_GE(counted(dropping, "factorisations"), 20);
+    EXPECT_LE(counted(keeping, "factorisations"), 5);
+    EXPECT_LE(counted(keeping, "newton_iterations"), 2.5 * counted(dropping, "newton_iterations") + 20 * 8);
+  }
+}
+
 }  // namespace
 }  // namespace fpi::fluid
