@@ -5,18 +5,19 @@
 namespace fpi::fluid {
 
 Corrector KeptFactor::lend(double inertia, bool is_same_system) const {
-  if (std::abs(inertia - inertia_) > 0.2 * inertia_) return {};
+  if (!corrector_.background) return {};
+  const double before = corrector_.background->layout.inertia;
+  if (std::abs(inertia - before) > 0.2 * before) return {};
   Corrector lent = corrector_;
-  lent.is_exact = lent.is_exact && is_same_system && inertia == inertia_;
+  lent.is_exact = lent.is_exact && is_same_system && inertia == before;
   if (!is_same_system) lent.factor = nullptr;
   return lent;
 }
 
-void KeptFactor::take(const Corrector& corrector, double inertia) {
+void KeptFactor::take(const Corrector& corrector) {
   const bool is_new = corrector.background != corrector_.background;
   const double of_step = corrector.cost - (is_new ? 0 : corrector_.cost);
   steps_ = is_new ? 1 : steps_ + 1;
-  inertia_ = inertia;
   corrector_ = of_step > corrector.cost / steps_ ? Corrector{} : corrector;
 }
 

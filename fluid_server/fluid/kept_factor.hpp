@@ -9,17 +9,16 @@ namespace fpi::fluid {
 
 class KeptFactor {
  public:
-  /// For a step of this inertia [1/s], a fifth more or less than it was made for. Another system than the one
-  /// that left it gets the background alone.
+  /// For a step of this inertia [1/s], a fifth more or less than that of the background. Another system than
+  /// the one that left it gets the background alone.
   Corrector lend(double inertia, bool is_same_system) const;
   /// Takes what an accepted step ended with.
-  void take(const Corrector& corrector, double inertia);
+  void take(const Corrector& corrector);
   void drop() { *this = {}; }
 
  private:
   Corrector corrector_;
   unsigned steps_ = 0;  // that its background has served
-  double inertia_ = 0;  // of the last of them
 };
 
 }  // namespace fpi::fluid

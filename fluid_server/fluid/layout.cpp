@@ -70,15 +70,16 @@ class Zone {
 /// Where the ghost penalty's inertial part is another one: at bodies that rest in one of the two and move in
 /// the other, though they are in the same place.
 void add_nodes_of_other_penalty(const Layout& before, const Layout& after, Zone& zone) {
+  if (before.inertia == 0 || after.inertia == 0) return;
   constexpr double much = 0.1;  // of the scheme's inertia
   auto old = before.cut.ghost_faces.begin();
   for (const auto& face : after.cut.ghost_faces) {
     while (old != before.cut.ghost_faces.end() && (*old)->edge < face->edge) ++old;
     if (old == before.cut.ghost_faces.end()) return;
     if ((*old)->edge != face->edge) continue;
-    const double rate = ghost_inertia(*face, after.drift, after.inertia).rate,
-                 old_rate = ghost_inertia(*face, before.drift, before.inertia).rate;
-    if (std::abs(rate - old_rate) > much * after.inertia)
+    const double share = ghost_inertia(*face, after.drift, after.inertia).rate / after.inertia,
+                 old_share = ghost_inertia(*face, before.drift, before.inertia).rate / before.inertia;
+    if (std::abs(share - old_share) > much)
       for (const Index node : face->nodes) zone.add_node(node);
   }
 }

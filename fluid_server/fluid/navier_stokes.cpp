@@ -68,8 +68,8 @@ Result NavierStokes::advance(const Request& request) {
   if (result.newton.converged) {
     result.tractions = tractions();
     result.speed = system_->speed(current_.fields.u);
-    if (request.wants_resistance && current_.corrector.factor)
-      result.resistance = current_.corrector.factor->schur_complement();
+    if (request.wants_resistance && current_.corrector.background)
+      result.resistance = system_->resistance(*current_.corrector.background);
     if (request.time_step > 0)
       result.time_error = time_error(scheme_, start_, current_.fields.u, request.time_step);
   }
@@ -104,7 +104,7 @@ NewtonResult NavierStokes::start_step(const Request& request) {
       predicted_velocity(start_, request.time_step, follow ? best_order(start_) : 0), start_.p);
   if (start_.damped_steps > 0) return result;  // with the factor of the first half
   base_.corrector = kept_.lend(time_terms_.inertia, system_ == accepted_system_);
-  if (time_terms_.moves()) base_.corrector.is_exact = false;  // the drift is another one each step
+  if (time_terms_.moves()) base_.corrector.factor = nullptr;  // the drift is another one each step
   if (base_.corrector.background && !system_->has_resistance(*base_.corrector.background))
     base_.corrector = {};
   return result;
@@ -241,8 +241,9 @@ void NavierStokes::accept() {
   }
   for (Vector* field : {&accepted_.u, &accepted_.acceleration}) spread_to_copies(space_.mesh, 2, *field);
   spread_to_copies(space_.mesh, 1, accepted_.p);
-  if (time_terms_.moves()) current_.corrector.is_exact = false;
-  kept_.take(current_.corrector, time_terms_.inertia);
+  Corrector kept = current_.corrector;
+  if (time_terms_.moves()) kept.factor = nullptr;
+  kept_.take(kept);
   accepted_system_ = system_;
   last_.reset();
 }
@@ -301,7 +302,7 @@ void NavierStokes::measure_boundaries() {
 std::vector<std::string> NavierStokes::notes() const {
   std::vector<std::string> notes{fmt::format("a mesh of {} triangles, the smallest of {:.3g} m",
                                              space_.mesh.n_cells(), space_.smallest_size)};
-  if (!flow_.convection) notes.emplace_back("no convection: one linear solve a step");
+  if (!flow_.convection) notes.emplace_back("no convection: each step is one linear problem");
   if (!settings_.bodies_move)
     notes.emplace_back("no body moves: the cut geometry and its ordering are found once");
   if (!flow_.convection && !settings_.bodies_move)

@@ -67,6 +67,8 @@ class Iteration {
     if (result_.iterations == parameters_.max_iterations) give_up();
     ++result_.iterations;
     count("newton_iterations");
+    if (flow_.convection == 0 && !corrector().is_exact && result_.iterations == parameters_.max_iterations)
+      corrector() = {};  // the last one is to be with an exact factor
     fresh_ = false;
     const bool is_missing = !corrector().factor;
     const Vector residual = assemble(is_missing);
@@ -100,7 +102,8 @@ class Iteration {
     const ScopedTimer timer(monitor_.ledger, "factor");
     const auto offered = corrector().background;
     corrector().factor = system_.factor(time_, corrector().background, monitor_.ledger);
-    fresh_ = corrector().is_exact = corrector().background != offered;
+    fresh_ = corrector().background != offered;
+    corrector().is_exact = fresh_ && flow_.convection == 0;
     count(fresh_ ? "factorisations" : "zone_factorisations");
     if (fresh_) corrector().cost = 0;
     corrector().cost += corrector().factor->factor_cost();

@@ -23,7 +23,7 @@ struct Monitor {
 struct Corrector {
   std::shared_ptr<const Factor> factor;          ///< null: to be made at the guess
   std::shared_ptr<const Background> background;  ///< that the factor was made from, or is to be; null: none
-  /// Where the problem is linear, the factor is that of its very matrix.
+  /// The problem is linear, and the factor is that of its very matrix.
   bool is_exact = false;
   double cost = 0;  ///< of the background and all that was made from it and solved with it, see Factor
 };

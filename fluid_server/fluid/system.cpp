@@ -1,6 +1,7 @@
 #include "fluid/system.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "core/error.hpp"
@@ -283,7 +284,7 @@ std::shared_ptr<const Factor> System::factor(const TimeTerms& time,
   Layout layout{interfaces_, cut_, numbering_, time.drift, time.inertia};
   std::shared_ptr<const Factor> inner;
   if (background && has_resistance(*background))
-    inner = with_zone_correction(background, space_.mesh, layout, matrix_);
+    inner = with_zone_correction(background, space_.mesh, layout, matrix_, linear_solver_);
   if (!inner) {
     inner = factor_of_matrix(ledger);
     background = std::make_shared<Background>(inner, std::move(layout));
@@ -307,14 +308,30 @@ void System::want_resistance(bool wanted) {
 
 bool System::has_resistance(const Background& background) const {
   if (!wants_resistance_) return true;
-  const auto free_bodies = [](const std::vector<Interface>& interfaces) {
-    std::vector<Index> bodies;
-    for (const Interface& interface : interfaces)
-      if (interface.balance) bodies.push_back(interface.body);
-    return bodies;
+  const auto is_free = [](const Interface& interface) { return interface.balance.has_value(); };
+  const auto same_body = [](const Interface& a, const Interface& b) { return a.body == b.body; };
+  auto now = interfaces_ | std::views::filter(is_free);
+  auto before = background.layout.interfaces | std::views::filter(is_free);
+  return background.factor->schur_complement().size() > 0 && std::ranges::equal(now, before, same_body);
+}
+
+Eigen::MatrixXd System::resistance(const Background& background) const {
+  Eigen::MatrixXd resistance;
+  if (!wants_resistance_ || !has_resistance(background)) return resistance;
+  resistance = background.factor->schur_complement();
+  const auto add_own = [&](const std::vector<Interface>& interfaces, double sign) {
+    Eigen::Index first = 0;
+    for (const Interface& interface : interfaces) {
+      if (!interface.balance) continue;
+      const Balance& balance = *interface.balance;
+      const Eigen::Vector3d own(balance.mass_rate, balance.mass_rate, balance.inertia_rate);
+      resistance.diagonal().segment<3>(first) += sign * own;
+      first += 3;
+    }
   };
-  return background.factor->schur_complement().size() > 0 &&
-         free_bodies(background.layout.interfaces) == free_bodies(interfaces_);
+  add_own(background.layout.interfaces, -1);
+  add_own(interfaces_, 1);
+  return resistance;
 }
 
 Vector System::velocity_weight() const {

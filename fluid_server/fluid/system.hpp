@@ -122,8 +122,10 @@ class System {
   /// Whether factors are to have the Schur complement of the bodies that the fluid moves, which tells how it
   /// resists them; where the linear solver cannot give it, or drives are unknowns, they have none.
   void want_resistance(bool wanted);
-  /// Whether factors made from the background have it, if it is wanted.
+  /// Whether the background has it, if it is wanted.
   bool has_resistance(const Background& background) const;
+  /// What it has, with the bodies' own m/Δt as it is now; without entries where none is wanted.
+  Eigen::MatrixXd resistance(const Background& background) const;
   /// 1 for each equation of a velocity, 0 for all else: that follows from the velocities.
   Vector velocity_weight() const;
   /// Root mean square of a velocity at the nodes in the fluid [m/s].

@@ -23,19 +23,20 @@ std::vector<Index> with_fringe(const std::vector<Index>& zone, const BlockMatrix
 class ZoneCorrectedFactor final : public Factor {
  public:
   ZoneCorrectedFactor(std::shared_ptr<const Background> background, std::vector<Index> shared,
-                      const std::vector<Index>& zone, const BlockMatrix& matrix)
+                      const std::vector<Index>& zone, const BlockMatrix& matrix, std::string_view solver)
       : Factor(matrix.n()),
         background_(std::move(background)),
         shared_(std::move(shared)),
         n_zone_(static_cast<Eigen::Index>(zone.size())),
         fringe_(with_fringe(zone, matrix)),
         around_(matrix.part(fringe_)) {
+    solve_cost_ = background_->factor->solve_cost();
+    if (zone.empty()) return;
     const BlockMatrix inside = matrix.part(zone);
-    inside_ = analyse(inside, "auto")->factor(inside);
+    inside_ = analyse(inside, solver)->factor(inside);
     is_singular_ = inside_->is_singular();
-    schur_complement_ = background_->factor->schur_complement();
     factor_cost_ = inside_->factor_cost();
-    solve_cost_ = background_->factor->solve_cost() + 2 * inside_->solve_cost();
+    solve_cost_ += 2 * inside_->solve_cost();
   }
 
  private:
@@ -51,7 +52,7 @@ class ZoneCorrectedFactor final : public Factor {
     return x;
   }
 
-  Vector in_zone(const Vector& b, Form form) const { return solve(*inside_, b, form); }
+  Vector in_zone(const Vector& b, Form form) const { return inside_ ? solve(*inside_, b, form) : b; }
 
   /// With the background's factor; what it does not know is zero.
   Vector everywhere(const Vector& b, Form form) const {
@@ -89,25 +90,25 @@ class ZoneCorrectedFactor final : public Factor {
   std::shared_ptr<const Background> background_;
   std::vector<Index> shared_;  // equation of the background, or −1
   Eigen::Index n_zone_;
-  std::vector<Index> fringe_;  // the zone first
-  BlockMatrix around_;         // the matrix at the fringe
-  std::shared_ptr<const Factor> inside_;
+  std::vector<Index> fringe_;             // the zone first
+  BlockMatrix around_;                    // the matrix at the fringe
+  std::shared_ptr<const Factor> inside_;  // null: the zone is empty
 };
 
 }  // namespace
 
 std::shared_ptr<const Factor> with_zone_correction(std::shared_ptr<const Background> background,
                                                    const Mesh& mesh, const Layout& layout,
-                                                   const BlockMatrix& matrix) {
+                                                   const BlockMatrix& matrix, std::string_view solver) {
   const Layout& before = background->layout;
   if (before.numbering.pinned != layout.numbering.pinned) return nullptr;
   const std::vector<Index> zone = changed_zone(mesh, before, layout, layers);
-  if (zone.empty() || static_cast<double>(zone.size()) > largest_zone * matrix.n()) return nullptr;
+  if (static_cast<double>(zone.size()) > largest_zone * matrix.n()) return nullptr;
   std::vector<Index> shared = shared_equations(before, layout);
   for (Index k = 0; k < matrix.n(); ++k)
     if (shared[k] < 0 && !std::ranges::binary_search(zone, k)) return nullptr;
   auto corrected =
-      std::make_shared<ZoneCorrectedFactor>(std::move(background), std::move(shared), zone, matrix);
+      std::make_shared<ZoneCorrectedFactor>(std::move(background), std::move(shared), zone, matrix, solver);
   return corrected->is_singular() ? nullptr : corrected;
 }
 

@@ -14,28 +14,28 @@ constexpr double inertia = 100;
 
 Corrector exact(double cost) {
   const auto factor = std::make_shared<FakeFactor>();
-  return {factor, std::make_shared<Background>(factor, Layout{}), true, cost};
+  return {factor, std::make_shared<Background>(factor, Layout{{}, {}, {}, {}, inertia}), true, cost};
 }
 
 TEST(KeptFactor, is_dropped_by_the_step_that_costs_more_than_the_average) {
   KeptFactor kept;
   Corrector corrector = exact(10);  // the factor and the first step
-  kept.take(corrector, inertia);
+  kept.take(corrector);
   for (const double of_step : {1.0, 2.0, 3.0}) {  // averages 5.5, 4.33, 4
     ASSERT_TRUE(kept.lend(inertia, true).factor);
     corrector.cost += of_step;
-    kept.take(corrector, inertia);
+    kept.take(corrector);
   }
   ASSERT_TRUE(kept.lend(inertia, true).factor);
   corrector.cost += 5;  // average 4.2
-  kept.take(corrector, inertia);
+  kept.take(corrector);
   EXPECT_FALSE(kept.lend(inertia, true).factor);
   EXPECT_FALSE(kept.lend(inertia, false).background);
 }
 
 TEST(KeptFactor, is_exact_only_with_the_same_inertia_and_in_the_same_system) {
   KeptFactor kept;
-  kept.take(exact(1), inertia);
+  kept.take(exact(1));
   EXPECT_TRUE(kept.lend(inertia, true).is_exact);
   EXPECT_FALSE(kept.lend(1.01 * inertia, true).is_exact);
   EXPECT_FALSE(kept.lend(inertia, false).is_exact);
@@ -43,7 +43,7 @@ TEST(KeptFactor, is_exact_only_with_the_same_inertia_and_in_the_same_system) {
 
 TEST(KeptFactor, serves_with_an_inertia_that_is_near) {
   KeptFactor kept;
-  kept.take(exact(1), inertia);
+  kept.take(exact(1));
   EXPECT_TRUE(kept.lend(1.15 * inertia, true).factor);
   for (const bool is_same_system : {true, false}) {
     EXPECT_FALSE(kept.lend(2 * inertia, is_same_system).background);
@@ -54,7 +54,7 @@ TEST(KeptFactor, serves_with_an_inertia_that_is_near) {
 TEST(KeptFactor, is_the_background_alone_for_another_system) {
   KeptFactor kept;
   const Corrector taken = exact(1);
-  kept.take(taken, inertia);
+  kept.take(taken);
   const Corrector lent = kept.lend(inertia, false);
   EXPECT_FALSE(lent.factor);
   EXPECT_EQ(lent.background, taken.background);
@@ -64,13 +64,13 @@ TEST(KeptFactor, is_the_background_alone_for_another_system) {
 TEST(KeptFactor, averages_over_all_factors_made_from_one_background) {
   KeptFactor kept;
   Corrector corrector = exact(10);
-  kept.take(corrector, inertia);
+  kept.take(corrector);
   corrector.factor = std::make_shared<FakeFactor>();  // corrected
   corrector.cost += 4;                                // average 7
-  kept.take(corrector, inertia);
+  kept.take(corrector);
   EXPECT_TRUE(kept.lend(inertia, false).background);
   corrector = exact(3);  // a new background begins a new average
-  kept.take(corrector, inertia);
+  kept.take(corrector);
   EXPECT_TRUE(kept.lend(inertia, false).background);
 }
 

@@ -88,7 +88,7 @@ TEST(ZoneCorrection, converges_as_fast_however_far_a_body_went) {
     for (const double distance : {0.01, 0.1, 0.4}) {
       const auto after = flows.system({{-0.4 + distance, 0.3 - 0.5 * distance}, {0.5, -0.4}}, is_free);
       const auto corrected =
-          with_zone_correction(background, flows.space.mesh, flows.layout(*after), after->matrix());
+          with_zone_correction(background, flows.space.mesh, flows.layout(*after), after->matrix(), "auto");
       ASSERT_TRUE(corrected) << distance;
       EXPECT_LE(corrections(*after, *corrected, *after->factor_of_matrix(flows.ledger)), 10) << distance;
     }
@@ -99,7 +99,7 @@ TEST(ZoneCorrection, solves_with_the_transposed_too) {
   Flows flows;
   const auto before = flows.system({{-0.4, 0.3}}, true), after = flows.system({{-0.3, 0.2}}, true);
   const auto corrected = with_zone_correction(flows.background(*before), flows.space.mesh,
-                                              flows.layout(*after), after->matrix());
+                                              flows.layout(*after), after->matrix(), "auto");
   ASSERT_TRUE(corrected);
   const Vector b = random_vector(after->matrix().n(), 1), c = random_vector(after->matrix().n(), 2);
   const double one = c.dot(corrected->solve(b)), other = b.dot(corrected->solve_transposed(c));
@@ -154,7 +154,7 @@ TEST(ZoneCorrection, goes_on_without_a_body_that_left) {
   const auto before = flows.system({{-0.4, 0.3}, {0.5, -0.4}}, false),
              after = flows.system({{-0.4, 0.3}}, false);
   const auto corrected = with_zone_correction(flows.background(*before), flows.space.mesh,
-                                              flows.layout(*after), after->matrix());
+                                              flows.layout(*after), after->matrix(), "auto");
   ASSERT_TRUE(corrected);
   EXPECT_LE(corrections(*after, *corrected, *after->factor_of_matrix(flows.ledger)), 10);
 }
@@ -167,13 +167,14 @@ TEST(ZoneCorrection, is_declined_where_nearly_all_moved_or_the_pressure_is_given
   for (Vec2& place : places) place += Vec2(0.02, 0.01);
   const auto after = flows.system(places, false);
   const auto background = flows.background(*before);
-  EXPECT_FALSE(with_zone_correction(background, flows.space.mesh, flows.layout(*after), after->matrix()));
+  EXPECT_FALSE(
+      with_zone_correction(background, flows.space.mesh, flows.layout(*after), after->matrix(), "auto"));
 
   Layout elsewhere = flows.layout(*flows.system({{-0.4, 0.3}}, false));
   const auto one = flows.system({{-0.4, 0.3}}, false), moved = flows.system({{-0.3, 0.3}}, false);
   elsewhere.numbering.pinned.push_back(3);
   const auto pinned = std::make_shared<Background>(one->factor_of_matrix(flows.ledger), elsewhere);
-  EXPECT_FALSE(with_zone_correction(pinned, flows.space.mesh, flows.layout(*moved), moved->matrix()));
+  EXPECT_FALSE(with_zone_correction(pinned, flows.space.mesh, flows.layout(*moved), moved->matrix(), "auto"));
 }
 
 }  // namespace
