@@ -122,6 +122,7 @@ class System {
   /// Whether factors are to have the Schur complement of the bodies that the fluid moves, which tells how it
   /// resists them; where the linear solver cannot give it, or drives are unknowns, they have none.
   void want_resistance(bool wanted);
+  bool wants_resistance() const { return wants_resistance_; }
   /// Whether the background has it, if it is wanted.
   bool has_resistance(const Background& background) const;
   /// What it has, with the bodies' own m/Δt as it is now; without entries where none is wanted.
