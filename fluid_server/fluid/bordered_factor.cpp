@@ -40,8 +40,7 @@ class BorderedFactor : public Factor {
   /// A⁻¹ b or A⁻ᵀ b, column by column.
   Columns solved(const Columns& b, Form form) const {
     Columns out(b.rows(), b.cols());
-    for (Eigen::Index k = 0; k < b.cols(); ++k)
-      out.col(k) = form == Form::plain ? inner_->solve(b.col(k)) : inner_->solve_transposed(b.col(k));
+    for (Eigen::Index k = 0; k < b.cols(); ++k) out.col(k) = solve(*inner_, b.col(k), form);
     return out;
   }
 

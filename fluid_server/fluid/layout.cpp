@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace fpi::fluid {
 namespace {
@@ -34,35 +35,33 @@ struct Moved {
   }
 };
 
-/// Cells as a set that grows.
+/// Cells with their nodes, and further nodes, as a set that grows.
 class Zone {
  public:
   explicit Zone(const Mesh& mesh) : mesh_(mesh), has_cell_(mesh.n_cells(), 0), has_node_(mesh.n_nodes(), 0) {}
 
-  void add_cell(Index cell) { has_cell_[cell] = 1; }
+  void add_cell(Index cell) {
+    if (std::exchange(has_cell_[cell], 1) != 0) return;
+    for (const Index node : mesh_.cell_nodes(cell)) add_node(node);
+  }
   void add_node(Index node) { has_node_[node] = 1; }
   void add_cut_cells(const Layout& layout, const std::vector<std::uint8_t>& of_interface) {
     for (const Image& image : layout.cut.images)
       if (of_interface[image.interface])
         for (const Index cell : image.footprint->cut) add_cell(cell);
   }
+  /// By the cells that have a vertex in it.
   void grow() {
-    mark_nodes();
+    std::vector<Index> around;
     for (Index cell = 0; cell < mesh_.n_cells(); ++cell)
-      if (std::ranges::any_of(mesh_.cell_vertices(cell), [&](Index v) { return has_node_[v] != 0; }))
-        add_cell(cell);
-    mark_nodes();
+      if (std::ranges::any_of(mesh_.cell_vertices(cell), [&](Index v) { return has_node(v); }))
+        around.push_back(cell);
+    for (const Index cell : around) add_cell(cell);
   }
   bool has_cell(Index cell) const { return has_cell_[cell] != 0; }
   bool has_node(Index node) const { return has_node_[node] != 0; }
 
  private:
-  void mark_nodes() {
-    for (Index cell = 0; cell < mesh_.n_cells(); ++cell)
-      if (has_cell(cell))
-        for (const Index node : mesh_.cell_nodes(cell)) has_node_[node] = 1;
-  }
-
   const Mesh& mesh_;
   std::vector<std::uint8_t> has_cell_, has_node_;
 };

@@ -38,6 +38,10 @@ class Factor {
   enum class Form { plain, transposed };
 
   explicit Factor(Index n) : n_(n) {}
+  /// With another factor, for those that are made of several; throws as `solve`.
+  static Vector solve(const Factor& factor, const Vector& b, Form form) {
+    return factor.checked_solve(b, form);
+  }
   virtual Vector back_solve(const Vector& b, Form form) const = 0;
 
   Index n_;

@@ -243,10 +243,12 @@ void NavierStokes::accept() {
   spread_to_copies(space_.mesh, 1, accepted_.p);
   Corrector kept = current_.corrector;
   if (time_terms_.moves()) kept.factor = nullptr;
-  kept_.take(kept);
   // More than three exchanges: the resistance that bodies moved with no longer holds.
   constexpr unsigned many_exchanges = 3;
-  if (system_->wants_resistance() && last_->sub_iteration >= many_exchanges) kept_.drop();
+  if (system_->wants_resistance() && last_->sub_iteration >= many_exchanges)
+    kept_.drop();
+  else
+    kept_.take(kept);
   accepted_system_ = system_;
   last_.reset();
 }

@@ -43,12 +43,12 @@ class ZoneCorrectedFactor final : public Factor {
   /// x = Z b; x += B (b − A x); x += Z (b − A x), with Z and B the inverses in the zone and of the
   /// background. That of Aᵀ is the same with theirs.
   Vector back_solve(const Vector& b, Form form) const override {
-    const Vector first = in_zone(at_fringe(b).head(n_zone_), form);
+    const Vector given = at_fringe(b), first = in_zone(given.head(n_zone_), form);
     Vector left = b;
     add_at_fringe(-product(first, form), left);
     Vector x = everywhere(left, form);
     add_at_fringe(first, x);
-    add_at_fringe(in_zone((at_fringe(b) - product(at_fringe(x), form)).head(n_zone_), form), x);
+    add_at_fringe(in_zone((given - product(at_fringe(x), form)).head(n_zone_), form), x);
     return x;
   }
 
@@ -64,10 +64,6 @@ class ZoneCorrectedFactor final : public Factor {
     for (Index k = 0; k < n_; ++k)
       if (shared_[k] >= 0) x[k] = old[shared_[k]];
     return x;
-  }
-
-  static Vector solve(const Factor& factor, const Vector& b, Form form) {
-    return form == Form::plain ? factor.solve(b) : factor.solve_transposed(b);
   }
 
   Vector at_fringe(const Vector& all) const {
