@@ -29,8 +29,8 @@ struct Departed {
 struct CoupledState {
   std::vector<coupling::RigidMotion> motions;
   std::vector<coupling::RigidMotion> walls;  ///< of those that move, about their centres
-  std::vector<coupling::RigidLoad> loads;
-  std::vector<Eigen::Vector3d> cut_at;  ///< where the fluid had the centre of each body [m]
+  std::vector<coupling::RigidLoad> loads;    ///< of the fluid
+  std::vector<Eigen::Vector3d> cut_at;       ///< where the fluid had the centre of each body [m]
   std::vector<coupling::Arcs> arcs;
   std::vector<proto::Traction> tractions;
   std::vector<std::uint32_t> contacts;  ///< of each body; empty where the DEM does not say

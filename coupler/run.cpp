@@ -31,6 +31,19 @@ void Run::start(const Files& files) {
     log::info("the time step is {} s instead of {} s (time.step), so that output times and the end are hit",
               window_.step(), scene_.time.step);
   }
+  start_suddenly();
+}
+
+void Run::start_suddenly() {
+  const std::optional<Attempt> impulse = simulation_.start_suddenly(window_.step());
+  if (!impulse) return;
+  if (impulse->converged)
+    log::info("bodies or fluid start with a velocity: the impulse between them at the start was solved for");
+  else
+    log::warning(
+        "bodies or fluid start with a velocity, and the impulse between them was not found ({}): the first "
+        "step takes it up, which is less accurate",
+        impulse->reason);
 }
 
 void Run::resume(const Files& files, const Checkpoint& checkpoint) {

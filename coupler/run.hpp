@@ -53,6 +53,7 @@ class Run {
   std::vector<coupling::Demand> demands(const Attempt& attempt) const;
   bool is_fine_enough(const std::vector<coupling::Demand>& demands);
   void tell_of_stalls(const Attempt& attempt);
+  void start_suddenly();
   void solve_steady();
   void take_step();
   [[noreturn]] void give_up(const std::string& reason);

@@ -1,6 +1,7 @@
 #include "simulation.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -297,7 +298,46 @@ coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t 
   return answer;
 }
 
+/// Whether a body or the fluid has a velocity at the start.
+bool Simulation::starts_suddenly() const {
+  if (!scene_.fluid || scene_.time.steady || !scene_.moves()) return false;
+  const auto moves = [](const coupling::RigidMotion& motion) {
+    return !motion.velocity.isZero(0) || !motion.spin.isZero(0);
+  };
+  const auto is_not_zero = [](const std::string& formula) { return formula != "0"; };
+  return std::ranges::any_of(accepted_.motions, moves) ||
+         std::ranges::any_of(scene_.fluid->initial_velocity, is_not_zero);
+}
+
+std::optional<Attempt> Simulation::start_suddenly(double time_step) {
+  constexpr double vanishing = 1e-6;
+  if (!starts_suddenly() || (!dofs_.bodies().empty() && !fluid_moves_bodies_)) return std::nullopt;
+  const Eigen::VectorXd force_of_dem = force_of_dem_;
+  Attempt found = attempt(0, 0, vanishing * time_step);
+  if (!found.converged) {
+    restore();
+    return found;
+  }
+  settle();
+  // Forces, accelerations and what the coupling learnt are those of the impulse.
+  predictor_ = coupling::Predictor(scene_.coupling.predictor);
+  forecast_ = coupling::BalanceForecast(dofs_.inertia(), displaced_mass(scene_, dofs_));
+  std::vector<Eigen::Index> all(static_cast<std::size_t>(dofs_.size()));
+  std::iota(all.begin(), all.end(), 0);
+  iteration_.forget(all);
+  force_of_dem_ = force_of_dem;
+  std::ranges::fill(accepted_.loads, coupling::RigidLoad{});
+  float_in_still_fluid();
+  return found;
+}
+
 void Simulation::accept() {
+  settle();
+  ++steps_;
+}
+
+/// The trial becomes the accepted state.
+void Simulation::settle() {
   if (!trial_.state.onset) trial_.state.onset = find_onset(scene_, trial_.state.motions, trial_.end);
   remember_balance();
   departures_ = fpi::departures(scene_, trial_.state);
@@ -309,11 +349,10 @@ void Simulation::accept() {
   forget_changed_bodies();
   if (fluid_moves_bodies_) force_of_dem_ = of_bodies_there(trial_.force_of_dem, trial_.state);
   accepted_ = std::move(trial_.state);
-  ++steps_;
 }
 
 void Simulation::remember_balance() {
-  if (trial_.resistance.size() == 0) return forecast_.forget();
+  if (!fluid_moves_bodies_ || trial_.time_step == 0) return;
   forecast_.accept(trial_.time_step, dofs_.velocities(accepted_.motions),
                    dofs_.velocities(trial_.state.motions), trial_.force_of_dem, std::move(trial_.resistance));
 }

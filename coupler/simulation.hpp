@@ -30,6 +30,12 @@ class Simulation {
   /// Tries the step from `start` to `end` [s] of size `time_step` [s] (0: the steady state), always from the
   /// last accepted state. Either `accept` or `restore` must follow.
   Attempt attempt(double start, double end, double time_step);
+  /// Before the first step, which is to have about `time_step` [s]: bodies that start with a velocity push
+  /// the fluid off at once, and a fluid that moves pushes bodies. A step of vanishing length finds the
+  /// velocities after this impulse, in which fluid and free bodies keep the sum of their momenta; the steps
+  /// then start from what is smooth. Returns the attempt, not converged where it was taken back, or nothing
+  /// where no impulse is needed or the fluid does not solve it with the bodies.
+  std::optional<Attempt> start_suddenly(double time_step);
   void accept();
   void restore();
 
@@ -54,6 +60,8 @@ class Simulation {
 
  private:
   void float_in_still_fluid();
+  bool starts_suddenly() const;
+  void settle();
   void begin_trial(double start, double end, double time_step);
   void place_bodies(double start, const Eigen::VectorXd& predicted);
   bool stays_cut(std::size_t body) const;

@@ -174,8 +174,9 @@ void Solvers::take_tractions(std::vector<proto::Traction> tractions, Trial& tria
             "the fluid must answer in the order of the bodies with two values an arc; for body \"{}\" with "
             "{} arcs it sent {} values of body {}",
             scene_.bodies[i].name, n_arcs, traction.values.size(), traction.body);
-    trial.state.loads[i] = {.force = coupling::to_eigen(traction.force),
-                            .torque = coupling::to_eigen(traction.torque)};
+    const bool is_free = scene_.bodies[i].is_free();
+    trial.state.loads[i] = {.force = coupling::to_eigen(is_free ? traction.mean_force : traction.force),
+                            .torque = coupling::to_eigen(is_free ? traction.mean_torque : traction.torque)};
     if (fluid_moves_bodies_ && scene_.bodies[i].is_free()) {
       trial.placed[i].velocity = coupling::to_eigen(traction.velocity);
       trial.placed[i].spin = coupling::to_eigen(traction.spin);

@@ -74,7 +74,9 @@ proto::Traction write_traction(const BodyTraction& t, double thickness) {
                       .torque = {0, 0, thickness * t.torque},
                       .arc_length = t.arc_length,
                       .velocity = to_wire(t.motion.translation),
-                      .spin = {0, 0, t.motion.spin}};
+                      .spin = {0, 0, t.motion.spin},
+                      .mean_force = to_wire(thickness * t.mean.force),
+                      .mean_torque = {0, 0, thickness * t.mean.torque}};
   for (const Vec2& lambda : t.lambda) out.values.insert(out.values.end(), {lambda.x(), lambda.y()});
   return out;
 }

@@ -2,10 +2,12 @@
 /// ones: where bodies act on each other, what the fluid will make of their forces is known to some per cent
 /// before it is asked.
 ///
-/// A V = h + f + G: A the fluid's resistance to all bodies with their own inertia [kg/s, kg m/s, kg m²/s], G
-/// what contacts, films and weights exert, h the momentum that bodies and the fluid they displace bring
-/// along, by the schemes of both (backward Euler, BDF2), and f what the flow exerts besides. f follows the
-/// flow and the places of the bodies, which change little in a step, while V and G jump with every impact.
+/// A V = h + γ f + G, in the mean over the step: A the fluid's resistance to all bodies with their own
+/// inertia [kg/s, kg m/s, kg m²/s], G what contacts, films and weights exert, γ the weight of the step's end
+/// in BDF2, f what the flow exerts besides its inertia at rest, and h = (M + m_f) V_n/Δt + (1 − γ) D the
+/// momentum that bodies and the fluid they displace bring along, with D the mean over the last step of f less
+/// drag. f and D follow the flow and the places of the bodies, which change little in a step, while V and G
+/// jump with every impact.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,14 +19,12 @@ namespace fpi::coupling {
 class BalanceForecast {
  public:
   /// Of each unknown: `mass` M of the body, and m_f of the fluid that it displaces (0 of a spin).
-  BalanceForecast(Eigen::VectorXd mass, Eigen::VectorXd displaced);
+  BalanceForecast(const Eigen::VectorXd& mass, const Eigen::VectorXd& displaced);
 
-  /// A step of Δt [s] from velocities V_n to V under G, with the resistance A that it found. Rows of unknowns
-  /// that take no part are zero.
+  /// A step of Δt [s] from velocities V_n to V under G, with the resistance A that it found, or without
+  /// entries where it found none. Rows of unknowns that take no part are zero.
   void accept(double time_step, const Eigen::VectorXd& before, const Eigen::VectorXd& velocities,
               const Eigen::VectorXd& forces, Eigen::MatrixXd resistance);
-  /// A step that found no resistance.
-  void forget();
   /// These unknowns take no part any more.
   void take_out(std::span<const Eigen::Index> unknowns);
   bool knows() const { return resistance_.size() > 0; }
@@ -42,12 +42,14 @@ class BalanceForecast {
   /// order, but what impacts leave in it counts twice (numerics.md).
   static constexpr double trend = 0.5;
 
-  Eigen::VectorXd momentum_in(double time_step) const;
-  Eigen::VectorXd momentum_before(double time_step) const;
+  /// Of a step of Δt after the last one: 1 (backward Euler) where there is none.
+  double gamma(double time_step) const;
+  Eigen::VectorXd momentum(double time_step, const Eigen::VectorXd& velocities) const;
 
-  Eigen::VectorXd mass_, displaced_;
+  Eigen::VectorXd mass_;        ///< M + m_f
   double step_ = 0;             ///< Δt of the last step [s]
-  Eigen::VectorXd now_, rise_;  ///< V_n, V_n − V_{n−1}
+  double gamma_ = 1;            ///< in it
+  Eigen::VectorXd now_, mean_;  ///< V_n, D
   Eigen::MatrixXd resistance_;
   Eigen::VectorXd drive_, drive_rise_;  ///< f, its change in the last step
 };

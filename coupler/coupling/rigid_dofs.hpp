@@ -9,7 +9,8 @@
 
 namespace fpi::coupling {
 
-/// Force [N] and torque about the centre [N m] on a body.
+/// Force [N] and torque about the centre [N m] on a body: at the end of a step or, where the body is free, in
+/// the mean over it, which is what its momentum gains.
 struct RigidLoad {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();

@@ -46,7 +46,7 @@ void add_values(const Mesh& mesh, Index cell, std::array<T, element_unknowns>& e
 Residual System::assemble(const Flow& flow, const Fields& fields, const TimeTerms& time, bool with_jacobian) {
   Residual residual = no_residual();
   drives_.add(-fields.drive, residual.u, residual.rigid);
-  residual.drive = drives_.excess(fields.u);
+  residual.drive = drives_.excess(fields.u, motions(fields.rigid));
   residual.u -= load_;
   if (time.load.size() > 0) residual.u -= flow.density * time.load;
   if (with_jacobian) matrix_.set_zero();

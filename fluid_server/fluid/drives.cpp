@@ -7,9 +7,10 @@ void Drives::set_time(double t) {
   for (Index k = 0; k < size(); ++k) flows_[k] = drives_[k].unit * drives_[k].given(0, 0, t);
 }
 
-Vector Drives::excess(const Vector& u) const {
+Vector Drives::excess(const Vector& u, const Vector& motions) const {
   Vector out = -flows_;
-  for (Index k = 0; k < size(); ++k) out[k] += drives_[k].load.dot(u);
+  for (Index k = 0; k < size(); ++k)
+    out[k] += drives_[k].load.dot(u) + drives_[k].load_on_bodies.dot(motions);
   return out;
 }
 

@@ -63,13 +63,13 @@ Result NavierStokes::advance(const Request& request) {
   last_ = request;
   last_converged_ = false;
   if (!result.newton.converged) return result;
-  if (k > 0) system_->set_velocities(with_buoyancy(request));
+  if (k > 0) system_->set_velocities(with_fluid_loads(request));
   result.newton = solve_step(request);
   if (result.newton.converged) {
     result.tractions = tractions();
     result.speed = system_->speed(current_.fields.u);
     if (request.wants_resistance && current_.corrector.background)
-      result.resistance = system_->resistance(*current_.corrector.background);
+      result.resistance = gamma(request) * system_->resistance(*current_.corrector.background);
     if (request.time_step > 0)
       result.time_error = time_error(scheme_, start_, current_.fields.u, request.time_step);
   }
@@ -79,7 +79,7 @@ Result NavierStokes::advance(const Request& request) {
 
 /// Geometry, time terms and the first guess of a step; not converged where no consistent start was found.
 NewtonResult NavierStokes::start_step(const Request& request) {
-  std::vector<Interface> interfaces = with_buoyancy(request);
+  std::vector<Interface> interfaces = with_fluid_loads(request);
   if (accepted_system_ && accepted_system_->same_geometry(interfaces)) system_ = accepted_system_;
   if (system_ && system_->same_geometry(interfaces)) {
     system_->set_velocities(interfaces);
@@ -91,6 +91,7 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   system_->want_resistance(request.wants_resistance);
   if (!accepted_system_) check_held(request.time_step == 0);
   start_ = accepted_;
+  if (settings_.bodies_move && !knows_past(request.time_step, start_.previous_step)) start_.forget_past();
   NewtonResult result;
   result.converged = true;
   if (request.time_step > 0 && !start_.has_acceleration && settings_.fluid.newmark_gamma < 1 &&
@@ -99,7 +100,7 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   set_time_terms(request);
   system_->set_load(request.time, body_force_);
   // A start from rest into a given inflow has an acceleration that no guess should follow for a whole step.
-  const bool follow = accepted_.has_acceleration;
+  const bool follow = start_.has_acceleration;
   base_.fields = with_multipliers(
       predicted_velocity(start_, request.time_step, follow ? best_order(start_) : 0), start_.p);
   if (start_.damped_steps > 0) return result;  // with the factor of the first half
@@ -108,6 +109,12 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   if (base_.corrector.background && !system_->has_resistance(*base_.corrector.background))
     base_.corrector = {};
   return result;
+}
+
+/// From the accepted state.
+Scheme NavierStokes::scheme_of_moving_bodies(double time_step) const {
+  if (settings_.fluid.newmark_gamma == 1) return Scheme::newmark(time_step, 1);
+  return Scheme::bdf2(time_step, accepted_.previous_step);
 }
 
 void NavierStokes::set_time_terms(const Request& request) {
@@ -121,13 +128,13 @@ void NavierStokes::set_time_terms(const Request& request) {
   } else {
     monitor.phase("interface");
     const ScopedTimer timer(monitor.ledger, "interface");
-    scheme_ = gamma == 1 ? Scheme::newmark(step, 1) : Scheme::bdf2(step, start_.previous_step);
+    scheme_ = scheme_of_moving_bodies(step);
     displacement_ = displacement(space_, request.interfaces, accepted_.places, step);
     if (displacement_.isZero(0) && accepted_.drift.isZero(0)) {
       time_terms_ = time_terms(scheme_, start_);
       return;
     }
-    start_ = along_paths(space_, displacement_, accepted_);
+    start_ = along_paths(space_, displacement_, start_);
     time_terms_ = time_terms(scheme_, start_, displacement_);
     follow_paths(*system_, displacement_, accepted_, scheme_, time_terms_);
   }
@@ -164,15 +171,36 @@ Vec2 NavierStokes::mean_force(double time) const {
   return body_force_.pressure_drop(time) - flow_.density * settings_.gravity;
 }
 
-/// The interfaces asked for, their balances with what the mean pressure exerts.
-std::vector<Interface> NavierStokes::with_buoyancy(const Request& request) const {
+/// The part of a step's mean load that is the load at its end; the rest is the mean load of the last step.
+/// Bodies and fluid then exchange momentum by one formula: what BDF2 makes of the fluid's past, a sudden
+/// start or an impact in it, it makes of the bodies' too, and their sum is kept to round-off.
+double NavierStokes::gamma(const Request& request) const {
+  if (request.time_step == 0 || !settings_.bodies_move) return 1;
+  return scheme_of_moving_bodies(request.time_step).gamma(request.time_step);
+}
+
+/// On a body over the last step; none where it was not there.
+MeanLoad NavierStokes::load_before(Index body) const {
+  const auto found = std::ranges::find(accepted_.loads, body, &MeanLoad::body);
+  return found == accepted_.loads.end() ? MeanLoad{.body = body} : *found;
+}
+
+/// The interfaces asked for, their balances m (V − V_n)/Δt = G + γ F + (1 − γ) × last step's mean F divided
+/// by γ, so that the multipliers keep their factor, and with what the mean pressure exerts.
+std::vector<Interface> NavierStokes::with_fluid_loads(const Request& request) const {
   std::vector<Interface> interfaces = request.interfaces;
   const Vec2 force_density = mean_force(request.time);
+  const double g = gamma(request);
   for (Interface& interface : interfaces) {
     if (!interface.balance) continue;
+    Balance& balance = *interface.balance;
     const Vec2 buoyancy = interface.outline.area() * force_density;
-    interface.balance->load += buoyancy;
-    interface.balance->torque += cross(interface.outline.centroid() - interface.rigid.centre, buoyancy);
+    const MeanLoad before = load_before(interface.body);
+    balance.mass_rate /= g;
+    balance.inertia_rate /= g;
+    balance.load = (balance.load + (1 - g) * before.force) / g + buoyancy;
+    balance.torque = (balance.torque + (1 - g) * before.torque) / g +
+                     cross(interface.outline.centroid() - interface.rigid.centre, buoyancy);
   }
   return interfaces;
 }
@@ -181,6 +209,7 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
   const auto resultants = system_->resultants(current_.fields.lambda);
   const auto& interfaces = system_->interfaces();
   const Vec2 force_density = mean_force(last_->time) + system_->drives().pressure_drop(current_.fields.drive);
+  const double g = gamma(*last_);
   std::vector<BodyTraction> out(interfaces.size());
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const Interface& interface = interfaces[i];
@@ -199,6 +228,10 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
     out[i].motion = interface.rigid;
     out[i].force = resultants[i].force + buoyancy;
     out[i].torque = resultants[i].torque + cross(outline.centroid() - interface.rigid.centre, buoyancy);
+    const MeanLoad before = load_before(interface.body);
+    out[i].mean = {.body = interface.body,
+                   .force = g * out[i].force + (1 - g) * before.force,
+                   .torque = g * out[i].torque + (1 - g) * before.torque};
     out[i].arc_length = system_->arc_lengths()[i];
   }
   return out;
@@ -214,6 +247,9 @@ void NavierStokes::accept() {
   require(last_ && last_converged_, "accept must follow an advance that converged");
   const Fields& fields = current_.fields;
   measure_boundaries();
+  accepted_tractions_ = tractions();
+  accepted_.loads.clear();
+  for (const BodyTraction& traction : accepted_tractions_) accepted_.loads.push_back(traction.mean);
   accepted_.time = last_->time;
   if (last_->time_step > 0)
     accepted_.prediction_errors =
@@ -229,7 +265,6 @@ void NavierStokes::accept() {
   accepted_.u = fields.u;
   accepted_.p = fields.p;
   accepted_drive_ = fields.drive;
-  accepted_tractions_ = tractions();
   accepted_interfaces_ = system_->interfaces();
   accepted_.places.clear();
   for (const Interface& interface : accepted_interfaces_) accepted_.places.push_back(place_of(interface));

@@ -39,8 +39,9 @@ struct Request {
 struct BodyTraction {
   Index body = 0;
   std::vector<Vec2> lambda;   ///< force density of the fluid [Pa]: mean of each arc, value at its middle
-  Vec2 force = Vec2::Zero();  ///< with the buoyancy and the fall of the mean pressure [N/m]
+  Vec2 force = Vec2::Zero();  ///< at the end of the step, with buoyancy and fall of the mean pressure [N/m]
   double torque = 0;          ///< about the centre [N]
+  MeanLoad mean;              ///< what the body's momentum gained of the fluid in the step, over Δt
   double arc_length = 0;      ///< wanted next [m]; 0: it meets no element
   RigidVelocity motion;       ///< of the body, as it was given or, where it has a balance, found
 };
@@ -122,7 +123,10 @@ class NavierStokes {
   NewtonResult start_step(const Request& request);
   Vec2 mean_force(double time) const;
   Vec2 mean_fall() const;
-  std::vector<Interface> with_buoyancy(const Request& request) const;
+  double gamma(const Request& request) const;
+  MeanLoad load_before(Index body) const;
+  std::vector<Interface> with_fluid_loads(const Request& request) const;
+  Scheme scheme_of_moving_bodies(double time_step) const;
   void set_time_terms(const Request& request);
   /// u and p [m/s, Pa], and no multiplier yet.
   Fields with_multipliers(const Vector& u, const Vector& p) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "fluid/cut.hpp"
+
 namespace fpi::fluid {
 namespace {
 
@@ -32,12 +34,51 @@ void for_each_point(const System& system, const Vector& u, const Vector* p,
   }
 }
 
+/// Area [m²] and centroid of the part of an outline in a box.
+struct Part {
+  double area = 0;
+  Vec2 centroid = Vec2::Zero();
+};
+
+Part part_in(const Box& box, const Outline& outline) {
+  const Vec2 low = outline.lower().cwiseMax(box.lower), high = outline.upper().cwiseMin(box.upper);
+  if ((low.array() >= high.array()).any()) return {};
+  if (low == outline.lower() && high == outline.upper()) return {outline.area(), outline.centroid()};
+  const Vec2 right(high.x(), low.y()), left(low.x(), high.y());
+  std::vector<PlanePoint> outside;
+  const Outline* const body = &outline;
+  for (const Corners& half : {Corners{low, right, high}, Corners{low, high, left}})
+    cut_quadrature(half, {&body, 1}, outside);
+  Part part{Box{low, high}.area()};
+  Vec2 moment = part.area * 0.5 * (low + high);
+  for (const PlanePoint& point : outside) {
+    part.area -= point.weight;
+    moment -= point.weight * point.x;
+  }
+  if (part.area <= 0) return {};
+  part.centroid = moment / part.area;
+  return part;
+}
+
+/// ∫ of the bodies' velocities over what of them is in a box [m³/s a metre of thickness].
+Vec2 flux_of_bodies(const System& system, const Box& box) {
+  Vec2 flux = Vec2::Zero();
+  for (const Image& image : system.cut().images) {
+    const RigidVelocity& motion = system.interfaces()[image.interface].rigid;
+    if (motion.translation.isZero(0) && motion.spin == 0) continue;
+    const Part part = part_in(box, image.outline());
+    flux += part.area * motion(part.centroid - image.shift);
+  }
+  return flux;
+}
+
 }  // namespace
 
 PoreFlow pore_flow(const System& system, const Vector& u) {
   PoreFlow out;
   out.box = system.space().mesh.box().area();
   out.surface = system.wetted_length();
+  out.flux_of_bodies = flux_of_bodies(system, system.space().mesh.box());
   for_each_point(system, u, nullptr, [&](const Point& point) {
     const double speed = point.velocity.norm();
     out.fluid += point.weight;
@@ -62,11 +103,14 @@ std::vector<Section> sections(const System& system, const Vector& u, const Vecto
     out[s].velocity += point.weight * point.velocity[axis];
   });
   for (std::size_t s = 0; s < out.size(); ++s) {
-    const double volume = box.area() / n;
-    out[s].place = lower + (static_cast<double>(s) + 0.5) * length;
+    const double volume = box.area() / n, start = lower + static_cast<double>(s) * length;
+    Box slab = box;
+    slab.lower[axis] = start;
+    slab.upper[axis] = start + length;
+    out[s].place = start + 0.5 * length;
     out[s].porosity = fluid[s] / volume;
     out[s].pressure /= fluid[s];
-    out[s].velocity /= volume;
+    out[s].velocity = (out[s].velocity + flux_of_bodies(system, slab)[axis]) / volume;
   }
   return out;
 }

@@ -5,9 +5,9 @@
 namespace fpi::fluid {
 namespace {
 
-constexpr std::uint64_t magic = 0x34534c4644495046;  // "FPIDFLS4"
+constexpr std::uint64_t magic = 0x35534c4644495046;  // "FPIDFLS5"
 
-constexpr std::size_t bytes_a_place = 4 * sizeof(double);
+constexpr std::size_t bytes_a_body = 8 * sizeof(double);  // its place and its load
 
 std::span<const double> view(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
@@ -25,6 +25,14 @@ State State::at_rest(Index n_nodes, Index n_vertices) {
   state.acceleration = state.previous_u = state.previous_acceleration = state.drift = state.u;
   state.p = Vector::Zero(n_vertices);
   return state;
+}
+
+void State::forget_past() {
+  previous_step = 0;
+  has_acceleration = has_previous_acceleration = false;
+  acceleration.setZero();
+  p.setZero();
+  prediction_errors = {};
 }
 
 std::vector<std::uint8_t> to_bytes(const State& state) {
@@ -46,6 +54,10 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   for (const BodyPlace& place : state.places) {
     write.put(static_cast<std::int64_t>(place.body));
     for (const double number : {place.centre.x(), place.centre.y(), place.angle}) write.put(number);
+  }
+  for (const MeanLoad& load : state.loads) {
+    write.put(static_cast<std::int64_t>(load.body));
+    for (const double number : {load.force.x(), load.force.y(), load.torque}) write.put(number);
   }
   write.put(static_cast<std::int64_t>(state.damped_steps));
   for (const double error : state.prediction_errors) write.put(error);
@@ -72,13 +84,18 @@ State from_bytes(std::span<const std::uint8_t> bytes, Index n_nodes, Index n_ver
   state.previous_acceleration = read_vector(read, 2 * n_nodes);
   state.drift = read_vector(read, 2 * n_nodes);
   const auto n_places = read.get<std::uint64_t>();
-  require(n_places <= read.left() / bytes_a_place,
+  require(n_places <= read.left() / bytes_a_body,
           "the fluid's state holds fewer places of bodies than the {} it names: take another checkpoint",
           n_places);
   for (std::uint64_t i = 0; i < n_places; ++i) {
     const auto body = static_cast<Index>(read.get<std::int64_t>());
     const double x = read.number(), y = read.number();
     state.places.push_back({body, Vec2(x, y), read.number()});
+  }
+  for (std::uint64_t i = 0; i < n_places; ++i) {
+    const auto body = static_cast<Index>(read.get<std::int64_t>());
+    const double x = read.number(), y = read.number();
+    state.loads.push_back({body, Vec2(x, y), read.number()});
   }
   state.damped_steps = static_cast<int>(read.get<std::int64_t>());
   for (double& error : state.prediction_errors) error = read.number();

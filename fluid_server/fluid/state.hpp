@@ -18,6 +18,13 @@ struct BodyPlace {
   double angle;  ///< [rad]
 };
 
+/// What the fluid exerted on a body in the mean over a step: its impulse over Δt.
+struct MeanLoad {
+  Index body = 0;
+  Vec2 force = Vec2::Zero();  ///< [N/m]
+  double torque = 0;          ///< about the centre [N]
+};
+
 inline constexpr int highest_order = 2,
                      n_orders = highest_order + 1;  ///< of predictions, see time_scheme.hpp
 
@@ -33,10 +40,13 @@ struct State {
   Vector previous_acceleration;   ///< at its start [m/s²]
   Vector drift;                   ///< mean velocity of each node's path over it [m/s], see motion.hpp
   std::vector<BodyPlace> places;  ///< of the bodies
+  std::vector<MeanLoad> loads;    ///< on them, over the step that led here
   int damped_steps = -1;          ///< that a sudden start still takes; −1: not known before the first step
   std::array<double, n_orders> prediction_errors{};  ///< of each order in the last steps [m²/s²]
 
   static State at_rest(Index n_nodes, Index n_vertices);
+  /// Keeps the velocity, and nothing of how it changes nor of the pressure that changed it.
+  void forget_past();
 };
 
 std::vector<std::uint8_t> to_bytes(const State& state);

@@ -180,6 +180,16 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
   }
 }
 
+Vector System::motions(const Vector& rigid) const {
+  Vector out = rigid;
+  for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+    if (interfaces_[i].balance) continue;
+    const RigidVelocity& given = interfaces_[i].rigid;
+    out.segment<3>(3 * static_cast<Eigen::Index>(i)) << given.translation, given.spin;
+  }
+  return out;
+}
+
 void System::keep_motions(const Vector& rigid) {
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
     if (!interfaces_[i].balance) continue;
@@ -294,9 +304,9 @@ std::shared_ptr<const Factor> System::factor(const TimeTerms& time,
   for (Index k = 0; k < drives_.size(); ++k) {
     Residual unit = no_residual();
     unit.u = drives_.all()[k].load;
-    rows.col(k) = gather(unit).head(numbering_.n_equations);
     unit.rigid = drives_.all()[k].load_on_bodies;
-    columns.col(k) = -gather(unit).head(numbering_.n_equations);
+    rows.col(k) = gather(unit).head(numbering_.n_equations);
+    columns.col(k) = -rows.col(k);
   }
   return with_border(std::move(inner), columns, rows);
 }

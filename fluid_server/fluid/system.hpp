@@ -81,6 +81,8 @@ class System {
 
   /// Takes the velocities and balances (not the geometry) of `interfaces`.
   void set_velocities(const std::vector<Interface>& interfaces);
+  /// Vx, Vy, ω of each interface: those of `rigid` where the fluid moves it, else as given.
+  Vector motions(const Vector& rigid) const;
   /// Gives the bodies that the fluid moves the velocities that it found.
   void keep_motions(const Vector& rigid);
   /// Sets what drives the flow at time t [s]: body force ρb [N/m³] and boundary tractions.

@@ -6,8 +6,13 @@ Scheme Scheme::newmark(double time_step, double gamma) {
   return {1 / (gamma * time_step), 0, (1 - gamma) / gamma};
 }
 
+bool knows_past(double time_step, double previous_step) {
+  constexpr double longest_growth = 1e3;  // more than any choice of steps makes of one
+  return previous_step > 0 && time_step < longest_growth * previous_step;
+}
+
 Scheme Scheme::bdf2(double time_step, double previous_step) {
-  if (previous_step == 0) return newmark(time_step, 1);
+  if (!knows_past(time_step, previous_step)) return newmark(time_step, 1);
   const double omega = time_step / previous_step;
   return {(1 + 2 * omega) / ((1 + omega) * time_step), omega / (1 + omega) / previous_step, 0};
 }

@@ -9,6 +9,10 @@
 
 namespace fpi::fluid {
 
+/// Whether the last step tells how the flow changes: there was one, and not so short a one that all it did
+/// was to take up a sudden start (its velocities are to start from then, its accelerations mean nothing).
+bool knows_past(double time_step, double previous_step);
+
 /// a^{n+1} = inertia · u^{n+1} − [inertia · u^n + before · (u^n − u^{n−1}) + acceleration · a^n].
 struct Scheme {
   double inertia = 0;       ///< 1/(γ Δt) [1/s]
@@ -16,9 +20,12 @@ struct Scheme {
   double acceleration = 0;  ///< (1 − γ)/γ
 
   static Scheme newmark(double time_step, double gamma);
-  /// Backward Euler where `previous_step` is 0.
+  /// Backward Euler where `knows_past` is false.
   static Scheme bdf2(double time_step, double previous_step);
   bool is_bdf2() const { return before > 0; }
+  /// γ of a step of Δt [s]: a force on a body has the mean γ F^{n+1} + (1 − γ) × its mean over the last step,
+  /// so that what the fluid loses in a step the body gains to round-off, whatever either did before.
+  double gamma(double time_step) const { return 1 / (inertia * time_step); }
 };
 
 /// Where the nodes went by `displacement` [m] in the step, `start` holds what they took along; empty: they

@@ -48,7 +48,9 @@ auto pack(Builder& b, const Interface& m) {
 }
 auto pack(Builder& b, const Traction& m) {
   const wire::Vec3 force = pack(m.force), torque = pack(m.torque), v = pack(m.velocity), w = pack(m.spin);
-  return wire::CreateTraction(b, m.body, numbers(b, m.values), &force, &torque, m.arc_length, &v, &w);
+  const wire::Vec3 mean_force = pack(m.mean_force), mean_torque = pack(m.mean_torque);
+  return wire::CreateTraction(b, m.body, numbers(b, m.values), &force, &torque, m.arc_length, &v, &w,
+                              &mean_force, &mean_torque);
 }
 auto pack(Builder& b, const Load& m) {
   const wire::Vec3 force = pack(m.force), torque = pack(m.torque), v = pack(m.velocity), w = pack(m.spin);

@@ -103,6 +103,8 @@ inline constexpr auto members_of<Traction> = std::tuple{
     member("arc_length", &Traction::arc_length),
     member("velocity", &Traction::velocity),
     member("spin", &Traction::spin),
+    member("mean_force", &Traction::mean_force),
+    member("mean_torque", &Traction::mean_torque),
 };
 template <>
 inline constexpr auto members_of<FluidAdvanced> = std::tuple{

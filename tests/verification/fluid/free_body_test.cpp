@@ -50,8 +50,8 @@ TEST_P(FreeBody, balances_hold_and_the_velocities_found_exert_the_same_forces_wh
       const BodyTraction& traction = result.tractions[i];
       const Balance& balance = *request.interfaces[i].balance;
       const Vec2 gained = balance.mass_rate * traction.motion.translation - balance.load;
-      EXPECT_LT((gained - traction.force).norm(), 1e-9 * buoyancy);
-      EXPECT_NEAR(balance.inertia_rate * traction.motion.spin - balance.torque, traction.torque,
+      EXPECT_LT((gained - traction.mean.force).norm(), 1e-9 * buoyancy);
+      EXPECT_NEAR(balance.inertia_rate * traction.motion.spin - balance.torque, traction.mean.torque,
                   1e-9 * radius * buoyancy);
       again.interfaces.push_back(request.interfaces[i]);
       again.interfaces.back().balance.reset();
