@@ -44,8 +44,8 @@ Expression::Expression(const std::string& formula, const std::string& key)
     p.SetExpr(formula);
     const auto& used = p.GetUsedVar();
     depends_on_time_ = used.contains("t");
-    int n_values = 0;
-    const double value = p.Eval(n_values)[n_values - 1];
+    const double value = p.Eval();
+    const int n_values = p.GetNumResults();
     require(n_values == 1,
             "a formula of one value is required; got \"{}\", a list of {}: write decimals with a point, as "
             "in 0.5",

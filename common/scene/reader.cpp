@@ -233,8 +233,9 @@ class Reader : public ParameterVisitor {
     const bool is_saturated = node.as<std::int64_t>() != nullptr && std::abs(number) >= 0x1p63;
     if (is_saturated || is_out_of_range(number, bounds)) {
       refuse(p, node, key,
-             fmt::format("{}, of a magnitude from {:g} to {:g}", number_text(p, bounds),
-                         smallest_positive_real, largest_real));
+             number_text(p, bounds) + (std::abs(number) < 1
+                                           ? fmt::format(", at least {:g}", smallest_positive_real)
+                                           : fmt::format(", up to {:g} in magnitude", largest_real)));
       return false;
     }
     if (!within(number, bounds)) {

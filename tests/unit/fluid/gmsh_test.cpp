@@ -155,8 +155,11 @@ TEST(Gmsh, an_edge_in_two_groups_belongs_to_the_one_that_the_scene_names) {
   for (const std::string& text : {both_2, both_4}) {
     for (const char* name : {"wall", "the inlet"}) {
       const Mesh mesh = read_gmsh(text, "m.msh", {name});
-      for (const BoundaryEdge& b : mesh.boundary)
-        if (mesh.middles[b.edge].y() == 1) EXPECT_EQ(mesh.boundary_names[b.boundary], name);
+      for (const BoundaryEdge& b : mesh.boundary) {
+        if (mesh.middles[b.edge].y() == 1) {
+          EXPECT_EQ(mesh.boundary_names[b.boundary], name);
+        }
+      }
     }
     const std::string error = error_of(text, {"wall", "the inlet"});
     EXPECT_NE(error.find("m.msh: one condition for each edge of the boundary is required"), std::string::npos)
