@@ -231,14 +231,14 @@ class Reader : public ParameterVisitor {
     if (const auto* d = node.as<double>()) number = *d;
     if (const auto* i = node.as<std::int64_t>()) number = static_cast<double>(*i);
     const bool is_saturated = node.as<std::int64_t>() != nullptr && std::abs(number) >= 0x1p63;
-    if (is_saturated || is_out_of_range(number, bounds)) {
+    if (!is_saturated && is_out_of_range(number, bounds)) {
       refuse(p, node, key,
              number_text(p, bounds) + (std::abs(number) < 1
                                            ? fmt::format(", at least {:g}", smallest_positive_real)
                                            : fmt::format(", up to {:g} in magnitude", largest_real)));
       return false;
     }
-    if (!within(number, bounds)) {
+    if (is_saturated || !within(number, bounds)) {
       refuse(p, node, key, number_text(p, bounds));
       return false;
     }

@@ -79,16 +79,23 @@ TEST(Reader, refuses_numbers_that_are_not_finite_or_too_large) {
 }
 
 TEST(Reader, refuses_numbers_with_which_volumes_and_energies_overflow) {
-  for (const char* radius : {"1e307", "1e51", "1e-310", "5e-324"})
-    EXPECT_NE(error_of(with(settling, "radius = 0.00125", std::string("radius = ") + radius))
-                  .find("drop.toml:26: bodies.0.radius must be a finite number > 0 m, of a magnitude from "
-                        "1e-50 to 1e+50; "),
-              std::string::npos)
-        << radius;
-  EXPECT_NE(
-      error_of(with(settling, "[0.01, 0.04]", "[0.01, -1e60]")).find("bodies.0.position.1 must be a finite"),
-      std::string::npos);
-  EXPECT_EQ(error_of(with(settling, "[0.01, 0.04]", "[0.01, 1e-60]")), "");
+  const auto of_radius = [](const std::string& radius) {
+    return error_of(with(settling, "radius = 0.00125", "radius = " + radius));
+  };
+  for (const char* radius : {"1e307", "1e51"})
+    EXPECT_NE(
+        of_radius(radius).find(
+            "drop.toml:26: bodies.0.radius must be a finite number > 0 m, up to 1e+50 in magnitude; got 1e"),
+        std::string::npos)
+        << of_radius(radius);
+  for (const char* radius : {"1e-310", "5e-324"})
+    EXPECT_NE(of_radius(radius).find("a finite number > 0 m, at least 1e-50; got "), std::string::npos)
+        << of_radius(radius);
+  const auto of_height = [](const std::string& height) {
+    return error_of(with(settling, "[0.01, 0.04]", "[0.01, " + height + "]"));
+  };
+  EXPECT_NE(of_height("-1e60").find("bodies.0.position.1 must be a finite number"), std::string::npos);
+  EXPECT_EQ(of_height("1e-60"), "");
 }
 
 TEST(Reader, refuses_text_that_is_not_utf8) {
@@ -116,8 +123,10 @@ TEST(Reader, quotes_whole_characters_of_a_long_text) {
 TEST(Reader, says_what_a_periodic_rectangle_without_a_corner_lacks) {
   const std::string periodic = with(settling, "[fluid]", "[periodic]\nx = [0, 0.02]\n[fluid]");
   for (const char* corner : {"lower = [0, 0]\n", "upper = [0.02, 0.06]\n"})
-    EXPECT_EQ(error_of(with(periodic, corner, "")).substr(0, 88),
-              "drop.toml:14: fluid.mesh.lower must name a mesh, or else lower = [x, y] and upper = [x, y");
+    EXPECT_NE(error_of(with(periodic, corner, ""))
+                  .find(": fluid.mesh.lower must name a mesh, or else lower = [x, y] and upper = [x, y]"),
+              std::string::npos)
+        << error_of(with(periodic, corner, ""));
   EXPECT_NE(error_of(with(periodic, "lower = [0, 0]", "lower = [0]")), "");
   EXPECT_NE(error_of(with(periodic, "density = 1000", "density = 1000\nsuperficial_velocity = [\"1\"]")), "");
 }
