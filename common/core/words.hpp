@@ -52,8 +52,8 @@ class Words {
   double real() {
     const std::string_view w = word();
     const auto value = to_number<double>(w);
-    if (!value || std::abs(*value) > largest_real)
-      bad(fmt::format("a finite number, up to {:g}", largest_real), printable(w));
+    if (!value) bad("a number", printable(w));
+    if (std::abs(*value) > largest_real) bad(fmt::format("a number up to {:g}", largest_real), printable(w));
     return *value;
   }
   /// Takes the word `wanted`, in capitals or not.

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 #include "core/error.hpp"
@@ -86,8 +87,11 @@ void require_commas(std::string_view header, const std::string& file) {
 }
 
 std::string hint(std::string_view name, const std::vector<std::string_view>& names) {
-  const std::string near = did_you_mean(name, names);
-  return near.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", near);
+  std::string lower(name);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string near = did_you_mean(lower, names);
+  const bool is_likely = near == lower || lower.size() > 2;  // any letter is near another one
+  return near.empty() || !is_likely ? "" : fmt::format(" (did you mean \"{}\"?)", near);
 }
 
 std::vector<Column> read_header(std::string_view line, const std::string& file, std::size_t axes) {

@@ -209,7 +209,7 @@ TEST(Gmsh, every_error_names_the_file) {
   EXPECT_NE(error_of(with(format_2, "2 1 2 1 1 1 2", "2 1 2 9 1 1 2")).find("m.msh: every outer edge"),
             std::string::npos);
   EXPECT_NE(error_of(with(format_2, "9 5 5 0", "1 5 5 0"))
-                .find("m.msh:17: one place of node 1 is required; got two"),
+                .find("m.msh:16: one place of node 1 is required; got two"),
             std::string::npos)
       << error_of(with(format_2, "9 5 5 0", "1 5 5 0"));
   EXPECT_NE(error_of(with(format_2, "the inlet", "\xf6"))
