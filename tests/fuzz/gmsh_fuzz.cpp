@@ -4,11 +4,13 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpi;
-  fuzz::takes_or_refuses("mesh.msh", [&] {
-    const fluid::Mesh mesh = fluid::read_gmsh(fuzz::text(data, size), "mesh.msh");
-    for (fluid::Index c = 0; c < mesh.n_cells(); ++c)
-      if (!(mesh.area(c) > 0)) fuzz::fault("a triangle without an area");
-  });
+  const std::vector<std::string> none, both{"left", "walls"};
+  for (const auto& conditions : {none, both})
+    fuzz::takes_or_refuses("mesh.msh", [&] {
+      const fluid::Mesh mesh = fluid::read_gmsh(fuzz::text(data, size), "mesh.msh", conditions);
+      for (fluid::Index c = 0; c < mesh.n_cells(); ++c)
+        if (!(mesh.area(c) > 0)) fuzz::fault("a triangle without an area");
+    });
   return 0;
 }
 
