@@ -268,7 +268,7 @@ std::string to_json(const Summary& s) {
               {"percolation", figures_after(s, "percolation:")},
               {"errors", figures_after(s, "error:")},
               {"counts", counts(s)}}
-             .dump(2) +
+             .dump(2, ' ', false, Json::error_handler_t::replace) +  // a reason may quote any bytes
          "\n";
 }
 

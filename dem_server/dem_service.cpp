@@ -16,11 +16,22 @@ namespace {
 Vec3 to_eigen(const proto::Vec3& v) { return {v[0], v[1], v[2]}; }
 proto::Vec3 to_wire(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-Problem make_problem(const scene::Scene& scene, const std::vector<proto::File>& files) {
-  std::map<std::string, std::vector<Corners>> meshes;
+using Meshes = std::map<std::string, std::vector<Corners>>;  ///< by the names of their files
+
+/// The meshes of walls; what is to be said of them is added to `notes`.
+Meshes read_meshes(const scene::Scene& scene, const std::vector<proto::File>& files,
+                   std::vector<std::string>& notes) {
+  Meshes meshes;
   for (const scene::Wall& wall : scene.walls) {
-    if (wall.shape == "mesh") meshes[wall.file] = read_stl(proto::content(files, wall.file), wall.file);
+    if (wall.shape != "mesh" || meshes.contains(wall.file)) continue;
+    StlMesh mesh = read_stl(proto::content(files, wall.file), wall.file);
+    meshes[wall.file] = std::move(mesh.triangles);
+    if (!mesh.note.empty()) notes.push_back(std::move(mesh.note));
   }
+  return meshes;
+}
+
+Problem make_problem(const scene::Scene& scene, Meshes meshes) {
   return {.gravity = to_eigen(scene::to_vec3(scene.gravity)),
           .thickness = scene.thickness,
           .hydraulic_radius_ratio = scene.hydraulic_radius_ratio,
@@ -63,16 +74,14 @@ std::vector<proto::Motion> write_motions(const Motions& motions) {
   return messages;
 }
 
-/// What is left out in this scene, and why.
-std::vector<std::string> notes(const Model& model) {
-  std::vector<std::string> notes;
+/// Adds what is left out in this scene, and why.
+void add_notes(const Model& model, std::vector<std::string>& notes) {
   if (model.walls.walls.empty() && model.bodies.size() == 1)
     notes.emplace_back("one body and no wall: no contact");
   if (model.stretch > 1)
     notes.push_back(fmt::format("contacts last {:g} times as long as the materials say", model.stretch));
   notes.emplace_back("sub-steps only while something touches or is about to");
   if (lists_every_pair(model)) notes.emplace_back("few bodies: every pair is watched, none searched for");
-  return notes;
 }
 
 }  // namespace
@@ -81,10 +90,12 @@ proto::Configured DemService::configure(const proto::Configure& message) {
   progress.set("configure");
   scene::Scene scene = scene::read_text(message.scene, "the scene sent by the coupler");
   grains::expand(scene, [&](const std::string& name) { return proto::content(message.files, name); });
-  solver_.emplace(make_problem(scene, message.files));
+  std::vector<std::string> notes;
+  solver_.emplace(make_problem(scene, read_meshes(scene, message.files, notes)));
   if (!message.state.empty()) solver_->resume(message.state);
   const Model& model = solver_->model();
-  return {.notes = notes(model), .figures = {{"bodies", static_cast<double>(model.bodies.size())}}};
+  add_notes(model, notes);
+  return {.notes = std::move(notes), .figures = {{"bodies", static_cast<double>(model.bodies.size())}}};
 }
 
 proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdvance& message) {

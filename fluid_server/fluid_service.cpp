@@ -95,7 +95,7 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
     grains::expand(scene_, [&](const std::string& name) { return proto::content(message.files, name); });
     const std::string& mesh_name = scene_.fluid->mesh.file;
     const std::string_view text = mesh_name.empty() ? "" : proto::content(message.files, mesh_name);
-    solver_.emplace(scene_mesh(scene_.fluid->mesh, scene_.periodic, text), settings(scene_));
+    solver_.emplace(scene_mesh(*scene_.fluid, scene_.periodic, text), settings(scene_));
   }
   solver_->monitor.ledger = std::move(ledger);
   solver_->monitor.phase = [this](const char* phase) { progress.set(phase); };

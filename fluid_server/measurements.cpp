@@ -39,7 +39,8 @@ void add_extremum(const std::string& kind, const std::string& name, const Profil
 }
 
 FlowErrors errors(const scene::Exact& exact, const NavierStokes& solver) {
-  const Expression ux(exact.velocity[0]), uy(exact.velocity[1]), p(exact.pressure);
+  const Expression ux(exact.velocity[0], "exact.velocity.0"), uy(exact.velocity[1], "exact.velocity.1");
+  const Expression p(exact.pressure, "exact.pressure");
   const double t = solver.state().time;
   return solver.errors({[&](const Vec2& x) { return Vec2(ux(x.x(), x.y(), t), uy(x.x(), x.y(), t)); },
                         [&](const Vec2& x) { return p(x.x(), x.y(), t); }});

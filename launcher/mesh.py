@@ -17,7 +17,7 @@ def make(name: str, size: float = 1.0, output: Path | None = None) -> Path:
         raise Refusal("the program gmsh is required to make meshes and not there: apt-get install -y gmsh")
     command = [gmsh, "-2", "-order", "2", "-format", "msh41", "-setnumber", "size", f"{size:g}",
                str(geometry), "-o", str(mesh)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False)
     faults = [line for line in done.stdout.splitlines() + done.stderr.splitlines() if line.startswith("Error")]
     if done.returncode != 0 or faults:
         raise Refusal(f"gmsh must mesh {geometry}; it ended with status {done.returncode}: " + "\n".join(faults))

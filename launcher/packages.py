@@ -29,7 +29,6 @@ BUILD = {
     "libtoml11-dev": "scene files",
     "nlohmann-json3-dev": "summaries as JSON",
     "libmuparser-dev": "formulas in scene files",
-    "libassimp-dev": "reads STL files of walls",
     "libgtest-dev": "the tests",
 }
 RUN = {

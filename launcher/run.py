@@ -47,7 +47,7 @@ def check(scene: Path, overrides: list[str]) -> str:
 def ask(question: str, scene: Path, overrides: list[str]) -> str:
     """What the coupler answers; refuses with its own words where it does."""
     command = [str(program("coupler")), question, str(scene), *set_options(overrides)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False)
     if done.returncode != 0:
         words = done.stderr.strip().removeprefix("coupler: ")
         raise Refusal(words or f"`{shlex.join(command)}` ended with {describe(done.returncode)}")

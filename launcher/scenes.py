@@ -20,4 +20,4 @@ def titles() -> list[tuple[str, str]]:
     """Name and title of each scene in configs/."""
     import tomllib  # no run needs it
 
-    return [(path.stem, tomllib.loads(path.read_text()).get("title", "")) for path in sorted(FOLDER.glob("*.toml"))]
+    return [(path.stem, tomllib.loads(path.read_text(encoding="utf-8")).get("title", "")) for path in sorted(FOLDER.glob("*.toml"))]

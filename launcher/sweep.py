@@ -150,7 +150,7 @@ class Medium:
 
 
 def medium(scene: Path) -> Medium:
-    fluid = tomllib.loads(scene.read_text())
+    fluid = tomllib.loads(scene.read_text(encoding="utf-8"))
     direction = fluid.get("percolation", {}).get("direction", "x")
     fluid = fluid["fluid"]
     return Medium(fluid["density"], fluid.get("dynamic_viscosity") or fluid["kinematic_viscosity"] * fluid["density"], direction)

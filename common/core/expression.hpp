@@ -9,14 +9,15 @@ namespace fpi {
 
 class Expression {
  public:
-  /// Throws Error naming the formula and the place in it that cannot be read.
-  explicit Expression(const std::string& formula);
+  /// Throws Error naming the formula and the place in it that cannot be read. `key` says where it stands in
+  /// the scene.
+  explicit Expression(const std::string& formula, const std::string& key = "");
   explicit Expression(double constant);
   ~Expression();
   Expression(Expression&&) noexcept;
   Expression& operator=(Expression&&) noexcept;
 
-  /// Value at (x, y, t). Throws Error when it is not finite.
+  /// Value at (x, y, t). Throws Error with key, formula and x, y, t when it is not finite.
   double operator()(double x, double y, double t) const;
 
   /// False where the formula does not name t at all.
@@ -28,7 +29,7 @@ class Expression {
  private:
   struct Parser;
   std::unique_ptr<Parser> parser_;
-  std::string formula_;
+  std::string formula_, key_;
   bool depends_on_time_ = false;
   bool is_zero_ = false;
 };

@@ -135,6 +135,11 @@ void check_dimensions(const Scene& scene, ParameterVisitor& v) {
     v.require(scene.outlets[i].lower.size() == axes, key_of("outlets", i, "lower"), all_axes);
 }
 
+/// Whether both corners are there: another check says so where they are not.
+bool is_rectangle(const Mesh& mesh) {
+  return mesh.file.empty() && mesh.lower.size() == 2 && mesh.upper.size() == 2;
+}
+
 /// The sides of a rectangle that lie in the planes across a periodic axis are no boundaries.
 void check_periodic_rectangle(const Scene& scene, int axis, ParameterVisitor& v) {
   const Mesh& mesh = scene.fluid->mesh;
@@ -161,13 +166,13 @@ void check_periods(const Scene& scene, ParameterVisitor& v) {
                           "boundary",
                           axis == 0 ? "x" : "y"));
     const auto& superficial = scene.fluid->superficial_velocity;
-    v.require(periodic || superficial.empty() || superficial[axis] == "0", "fluid.superficial_velocity",
+    v.require(periodic || superficial.size() != 2 || superficial[axis] == "0", "fluid.superficial_velocity",
               fmt::format("must be 0 along {}, which is not periodic: give [periodic], or a flow_rate at the "
                           "boundary",
                           axis == 0 ? "x" : "y"));
     v.require(superficial.empty() || scene.fluid->pressure_drop[axis] == "0", "fluid.pressure_drop",
               "must be left out where superficial_velocity is given: it is found");
-    if (periodic && scene.fluid->mesh.file.empty()) check_periodic_rectangle(scene, axis, v);
+    if (periodic && is_rectangle(scene.fluid->mesh)) check_periodic_rectangle(scene, axis, v);
   }
 }
 

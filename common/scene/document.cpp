@@ -5,6 +5,7 @@
 #include <toml.hpp>
 
 #include "core/error.hpp"
+#include "core/utf8.hpp"
 #include "scene/toml_text.hpp"
 
 namespace fpi::scene {
@@ -159,7 +160,9 @@ std::string Node::quoted() const {
   if (const auto* i = as<std::int64_t>()) return fmt::format("{}", *i);
   if (const auto* d = as<double>()) return toml_text(*d);
   if (const auto* s = as<std::string>()) {
-    return s->size() <= longest ? toml_text(*s) : toml_text(s->substr(0, longest)) + "…";
+    if (s->size() <= longest) return toml_text(*s);
+    const std::string begin = s->substr(0, longest);
+    return toml_text(begin.substr(0, first_bad_byte(begin))) + "…";  // whole characters
   }
   if (as<Table>()) return "a table";
   if (const auto* list = as<List>()) {
@@ -187,8 +190,12 @@ std::vector<std::string> split_key(const std::string& key) {
 
 Node parse_document(const std::string& text, const std::string& name,
                     const std::vector<std::string>& overrides) {
+  require_utf8(text, name);
   Node root = parse(text, name);
-  for (const std::string& text_of_one : overrides) apply_override(root, text_of_one);
+  for (const std::string& text_of_one : overrides) {
+    require_utf8(text_of_one, override_prefix + printable(text_of_one));
+    apply_override(root, text_of_one);
+  }
   return root;
 }
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <limits>
 
 #include "core/error.hpp"
 #include "core/expression.hpp"
+#include "core/number.hpp"
 #include "scene/document.hpp"
 #include "scene/scene.hpp"
 #include "scene/toml_text.hpp"
@@ -219,14 +219,26 @@ class Reader : public ParameterVisitor {
            (b.upper_open ? value < b.upper : value <= b.upper);
   }
 
-  /// toml11 reads a number too large for its type as the largest of the type: refused like infinity.
+  /// What arithmetic overflows with: large numbers, and small ones where they must be above zero. toml11
+  /// reads a number too large for its type as the largest of the type, which is out of range too.
+  static bool is_out_of_range(double number, const Bounds& b) {
+    const bool is_too_small = b.lower == 0 && b.lower_open && number > 0 && number < smallest_positive_real;
+    return std::isfinite(number) && (std::abs(number) > largest_real || is_too_small);
+  }
+
   bool take_real(const Parameter& p, const Node& node, std::string_view key, double& value, Bounds bounds) {
     double number = std::nan("");
     if (const auto* d = node.as<double>()) number = *d;
     if (const auto* i = node.as<std::int64_t>()) number = static_cast<double>(*i);
-    const bool saturated = std::abs(number) == std::numeric_limits<double>::max() ||
-                           (node.as<std::int64_t>() && std::abs(number) >= 0x1p63);
-    if (saturated || !within(number, bounds)) {
+    const bool is_saturated = node.as<std::int64_t>() != nullptr && std::abs(number) >= 0x1p63;
+    if (!is_saturated && is_out_of_range(number, bounds)) {
+      refuse(p, node, key,
+             number_text(p, bounds) + (std::abs(number) < 1
+                                           ? fmt::format(", at least {:g}", smallest_positive_real)
+                                           : fmt::format(", up to {:g} in magnitude", largest_real)));
+      return false;
+    }
+    if (is_saturated || !within(number, bounds)) {
       refuse(p, node, key, number_text(p, bounds));
       return false;
     }

@@ -1,5 +1,7 @@
 #include "coupling/prescribed_motion.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace fpi::coupling {
@@ -18,18 +20,19 @@ constexpr std::array<QuadraturePoint, 5> quadrature{{{0.04691007703066800, 0.118
 }  // namespace
 
 PrescribedMotion::PrescribedMotion(const scene::Body& body) {
-  if (body.motion == "prescribed") move_by(body.prescribed_velocity, {"0", "0", body.prescribed_spin});
+  if (body.motion != "prescribed") return;
+  move_by(body.prescribed_velocity, fmt::format("bodies.{}.prescribed_velocity", body.name));
+  move_by({"0", "0", body.prescribed_spin}, fmt::format("bodies.{}.prescribed_spin", body.name));
 }
 
 PrescribedMotion::PrescribedMotion(const scene::Wall& wall) {
-  move_by(wall.velocity,
-          wall.spin.size() == 1 ? std::vector<std::string>{"0", "0", wall.spin[0]} : wall.spin);
+  move_by(wall.velocity, fmt::format("walls.{}.velocity", wall.name));
+  move_by(wall.spin.size() == 1 ? std::vector<std::string>{"0", "0", wall.spin[0]} : wall.spin,
+          fmt::format("walls.{}.spin", wall.name));
 }
 
-void PrescribedMotion::move_by(const std::vector<std::string>& velocity,
-                               const std::vector<std::string>& spin) {
-  for (const auto* along : {&velocity, &spin})
-    for (std::size_t i = 0; i < 3; ++i) formulas_.emplace_back(i < along->size() ? (*along)[i] : "0");
+void PrescribedMotion::move_by(const std::vector<std::string>& along, const std::string& key) {
+  for (std::size_t i = 0; i < 3; ++i) formulas_.emplace_back(i < along.size() ? along[i] : "0", key);
 }
 
 Eigen::Vector3d PrescribedMotion::velocity(double t) const {

@@ -24,8 +24,8 @@ class PrescribedMotion {
   RigidMotion advanced(const RigidMotion& motion, double t0, double t1) const;
 
  private:
-  /// Takes up velocities along the axes and spins about them; those left out are zero.
-  void move_by(const std::vector<std::string>& velocity, const std::vector<std::string>& spin);
+  /// Takes up formulas along the axes, which stand at `key` in the scene; those left out are zero.
+  void move_by(const std::vector<std::string>& along, const std::string& key);
   Eigen::Vector3d velocity(double t) const;
   Eigen::Vector3d spin(double t) const;
 

@@ -5,8 +5,10 @@
 namespace fpi::fluid {
 
 BodyForce::BodyForce(const scene::Fluid& parameters)
-    : formulas_{Expression(parameters.body_force[0]), Expression(parameters.body_force[1]),
-                Expression(parameters.pressure_drop[0]), Expression(parameters.pressure_drop[1])} {}
+    : formulas_{Expression(parameters.body_force[0], "fluid.body_force.0"),
+                Expression(parameters.body_force[1], "fluid.body_force.1"),
+                Expression(parameters.pressure_drop[0], "fluid.pressure_drop.0"),
+                Expression(parameters.pressure_drop[1], "fluid.pressure_drop.1")} {}
 
 Vec2 BodyForce::operator()(const Vec2& x, double t) const {
   return Vec2(formulas_[0](x.x(), x.y(), t), formulas_[1](x.x(), x.y(), t)) + pressure_drop(t);

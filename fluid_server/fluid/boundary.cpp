@@ -25,23 +25,30 @@ std::array<Vec2, 3> outward(const EdgeNodes& edge) {
 
 }  // namespace
 
-Boundary::Boundary(const Mesh& mesh, const std::map<std::string, scene::Boundary>& conditions)
-    : mesh_(mesh), constraint_(mesh.n_nodes(), Constraint::none), normal_(mesh.n_nodes(), Vec2::Zero()) {
+void require_conditions(const Mesh& mesh, const std::map<std::string, scene::Boundary>& conditions) {
   const auto& names = mesh.boundary_names;
   for (const auto& [name, condition] : conditions)
     require(std::find(names.begin(), names.end(), name) != names.end(),
             "[fluid.boundaries.{}]: the mesh has no boundary of this name; it has {}: rename it{}", name,
             fmt::join(names, ", "),
             did_you_mean(name, names).empty() ? "" : " (did you mean " + did_you_mean(name, names) + "?)");
-  for (const std::string& name : names) {
-    const auto it = conditions.find(name);
-    require(it != conditions.end(),
+  for (const std::string& name : names)
+    require(conditions.contains(name),
             "the boundary \"{}\" of the mesh needs a condition: add [fluid.boundaries.{}]", name, name);
-    const scene::Boundary& c = it->second;
+}
+
+Boundary::Boundary(const Mesh& mesh, const std::map<std::string, scene::Boundary>& conditions)
+    : mesh_(mesh), constraint_(mesh.n_nodes(), Constraint::none), normal_(mesh.n_nodes(), Vec2::Zero()) {
+  require_conditions(mesh, conditions);
+  for (const std::string& name : mesh.boundary_names) {
+    const scene::Boundary& c = conditions.at(name);
     const auto kind = std::find(scene::Boundary::types.begin(), scene::Boundary::types.end(), c.type);
     const Type type = static_cast<Type>(kind - scene::Boundary::types.begin());
-    const auto& formulas = type == Type::traction ? c.traction : c.velocity;
-    parts_.push_back({type, Expression(formulas[0]), Expression(formulas[1]), {}});
+    const bool is_traction = type == Type::traction;
+    const std::string key =
+        fmt::format("fluid.boundaries.{}.{}", name, is_traction ? "traction" : "velocity");
+    const auto& formulas = is_traction ? c.traction : c.velocity;
+    parts_.push_back({type, Expression(formulas[0], key + ".0"), Expression(formulas[1], key + ".1"), {}});
   }
   assign_nodes();
   find_slip_normals();

@@ -24,9 +24,12 @@ struct Cover {
 /// How much of a node's velocity is given.
 enum class Constraint : std::uint8_t { none, normal, both };
 
+/// Throws Error for a part of the mesh without a condition, or a condition for a part that is not there.
+void require_conditions(const Mesh& mesh, const std::map<std::string, scene::Boundary>& conditions);
+
 class Boundary {
  public:
-  /// Throws Error for a part of the mesh without a condition, or a condition for a part that is not there.
+  /// Throws what require_conditions throws.
   Boundary(const Mesh& mesh, const std::map<std::string, scene::Boundary>& conditions);
 
   Constraint constraint(Index node) const { return constraint_[node]; }

@@ -62,7 +62,8 @@ Drives System::make_drives(const scene::Fluid& parameters) const {
     Drive& drive = drives.emplace_back();
     drive.name = axis == 0 ? "pressure_drop_x" : "pressure_drop_y";
     drive.axis = axis;
-    drive.given = Expression(parameters.superficial_velocity[axis]);
+    drive.given =
+        Expression(parameters.superficial_velocity[axis], fmt::format("fluid.superficial_velocity.{}", axis));
     drive.unit = mesh.box().area();
     unit_load(drive);
     const Vec2 along = Vec2::Unit(axis);
@@ -79,7 +80,7 @@ Drives System::make_drives(const scene::Fluid& parameters) const {
     Drive& drive = drives.emplace_back();
     drive.name = "pressure_at_" + name;
     drive.boundary = name;
-    drive.given = Expression(*boundary.flow_rate);
+    drive.given = Expression(*boundary.flow_rate, fmt::format("fluid.boundaries.{}.flow_rate", name));
     unit_load(drive);
     const auto found = std::ranges::find(mesh.boundary_names, name);
     const auto part = static_cast<Index>(found - mesh.boundary_names.begin());

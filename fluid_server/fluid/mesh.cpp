@@ -85,6 +85,21 @@ void place_middles(Mesh& mesh, const EdgeNumbers& number, const std::vector<Edge
   }
 }
 
+[[noreturn]] void refuse_unnamed(const Mesh& mesh, Index edge) {
+  const Vec2 a = mesh.vertices[mesh.edges[edge][0]], b = mesh.vertices[mesh.edges[edge][1]];
+  const Vec2 place = mesh.chord_middle(edge);
+  Index n_there = 0;
+  for (Index e = 0; e < mesh.n_edges(); ++e) n_there += mesh.chord_middle(e) == place;
+  fail(
+      "every outer edge must belong to a named boundary; the one from ({:g}, {:g}) to ({:g}, {:g}) m does "
+      "not: "
+      "{}",
+      a.x(), a.y(), b.x(), b.y(),
+      n_there > 1 ? "another edge lies in its place, so the mesh is cut open there: merge nodes of one place "
+                    "(Gmsh: Coherence Mesh)"
+                  : "add it to a physical group");
+}
+
 void name_boundary(Mesh& mesh, const EdgeNumbers& number, const std::vector<NamedEdge>& named_edges) {
   std::vector<Index> boundary_of(mesh.edges.size(), -1);
   for (const NamedEdge& named : named_edges) {
@@ -95,11 +110,7 @@ void name_boundary(Mesh& mesh, const EdgeNumbers& number, const std::vector<Name
   }
   for (Index e = 0; e < mesh.n_edges(); ++e) {
     if (mesh.edge_cells[e][1] != -1) continue;
-    const Vec2 a = mesh.vertices[mesh.edges[e][0]], b = mesh.vertices[mesh.edges[e][1]];
-    require(boundary_of[e] != -1,
-            "every outer edge must belong to a named boundary; the one from ({:g}, {:g}) to ({:g}, {:g}) m "
-            "does not: add it to a physical group",
-            a.x(), a.y(), b.x(), b.y());
+    if (boundary_of[e] == -1) refuse_unnamed(mesh, e);
     mesh.boundary.push_back({e, mesh.edge_cells[e][0], boundary_of[e]});
   }
   std::vector<std::uint8_t> has_edge(mesh.boundary_names.size(), 0);

@@ -11,8 +11,9 @@
 namespace fpi::fluid {
 namespace {
 
-Vector nodal_values(const Mesh& mesh, const std::vector<std::string>& formulas) {
-  const Expression x_formula(formulas[0]), y_formula(formulas[1]);
+Vector initial_velocity(const Mesh& mesh, const std::vector<std::string>& formulas) {
+  const Expression x_formula(formulas[0], "fluid.initial_velocity.0");
+  const Expression y_formula(formulas[1], "fluid.initial_velocity.1");
   Vector u(2 * mesh.n_nodes());
   for (Index node = 0; node < mesh.n_nodes(); ++node) {
     const Vec2 x = mesh.node_position(node);
@@ -33,7 +34,7 @@ NavierStokes::NavierStokes(Mesh mesh, Settings settings)
       boundary_recovery_(space_.mesh, space_.boundary) {
   check_linear_solver(settings_.fluid.linear_solver);
   accepted_ = State::at_rest(space_.mesh.n_nodes(), space_.mesh.n_vertices());
-  accepted_.u = nodal_values(space_.mesh, settings_.fluid.initial_velocity);
+  accepted_.u = initial_velocity(space_.mesh, settings_.fluid.initial_velocity);
   space_.boundary.impose(0, accepted_.u);
 }
 

@@ -1,6 +1,7 @@
 #include "fluid/scene_mesh.hpp"
 
-#include "core/error.hpp"
+#include "core/context.hpp"
+#include "fluid/boundary.hpp"
 #include "fluid/circle_fit.hpp"
 #include "fluid/gmsh.hpp"
 #include "fluid/periodic_mesh.hpp"
@@ -32,16 +33,26 @@ Period period(const scene::Periodic& periodic) {
   return out;
 }
 
+std::vector<std::string> names(const std::map<std::string, scene::Boundary>& boundaries) {
+  std::vector<std::string> out;
+  for (const auto& [name, boundary] : boundaries) out.push_back(name);
+  return out;
+}
+
 }  // namespace
 
-Mesh scene_mesh(const scene::Mesh& parameters, const scene::Periodic& periodic, std::string_view file_text) {
+Mesh scene_mesh(const scene::Fluid& fluid, const scene::Periodic& periodic, std::string_view file_text) {
+  const scene::Mesh& parameters = fluid.mesh;
   const Period sides = period(periodic);
   if (parameters.file.empty())
     return make_rectangle(lines(parameters, 0), lines(parameters, 1), parameters.refinements, sides.along);
-  Mesh mesh = read_gmsh(file_text, parameters.file);
-  for (const scene::Circle& circle : parameters.circles)
-    fit_circle(mesh, circle.boundary, {circle.centre[0], circle.centre[1]}, circle.radius);
-  make_periodic(mesh, sides);
+  Mesh mesh = read_gmsh(file_text, parameters.file, names(fluid.boundaries));
+  in_context(parameters.file, [&] {
+    for (const scene::Circle& circle : parameters.circles)
+      fit_circle(mesh, circle.boundary, {circle.centre[0], circle.centre[1]}, circle.radius);
+    make_periodic(mesh, sides);
+    require_conditions(mesh, fluid.boundaries);
+  });
   return mesh;
 }
 

@@ -10,7 +10,7 @@
 namespace fpi::fluid {
 
 /// A rectangle from the scene's numbers, or the Gmsh mesh whose text came with it, joined where the scene is
-/// periodic.
-Mesh scene_mesh(const scene::Mesh& parameters, const scene::Periodic& periodic, std::string_view file_text);
+/// periodic. Throws Error naming the file where it cannot be the scene's mesh.
+Mesh scene_mesh(const scene::Fluid& fluid, const scene::Periodic& periodic, std::string_view file_text);
 
 }  // namespace fpi::fluid

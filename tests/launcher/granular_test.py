@@ -1,5 +1,6 @@
 """Pictures of many grains, from a run folder made by hand."""
 
+import struct
 import tempfile
 import unittest
 from pathlib import Path
@@ -7,7 +8,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from launcher import granular, plot, results
+from launcher import granular, plot, results, stl
 
 COUNT = 20
 SCENE = '''gravity = [0, 0, -9.81]
@@ -88,6 +89,17 @@ class Granular(unittest.TestCase):
         np.testing.assert_array_equal(square, [[0, 0], [1, 0], [1, 1], [0, 0]])
         triangle = view.lines({"shape": "mesh", "file": "a.stl", "scale": 0.5})[0]
         np.testing.assert_array_equal(triangle, [[0, 0.5], [1, 0.5], [0, 1.5], [0, 0.5]])
+
+    def test_triangles_of_text_and_of_binary_files_are_the_same(self):
+        corners = [[[0, 0, 0.5], [1, 0, 0.5], [1, 1, 0.5]], [[0, 0, 0.5], [1, 1, 0.5], [0, 1, 0.5]]]
+        text = "".join(f"vertex {x} {y} {z}\n" for triangle in corners for x, y, z in triangle)
+        binary = b"solid".ljust(80) + struct.pack("<I", 2)
+        binary += b"".join(struct.pack("<12fH", 0, 0, 1, *np.ravel(triangle), 0) for triangle in corners)
+        path = self.run_folder / "a.stl"
+        for content in (f"solid\n{text}endsolid\n".encode(), f"solid\n{text}endsolid\n".upper().encode(), binary,
+                        binary + b"a tail of bytes", binary.replace(b"solid", bytes(5)) + b"a tail of bytes"):
+            path.write_bytes(content)
+            np.testing.assert_array_equal(stl.read(path), corners)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "core/error.hpp"
 #include "fluid/scene_mesh.hpp"
 
@@ -25,6 +27,19 @@ const std::string format_4 =
     "$Elements\n6 7 1 7\n0 1 15 1\n1 1\n1 1 1 1\n2 1 2\n1 2 1 1\n3 2 3\n1 3 1 1\n4 3 4\n1 4 1 1\n5 4 1\n2 1 "
     "2 2\n"
     "6 1 2 3\n7 1 3 4\n$EndElements\n";
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+std::string error_of(const std::string& text, const std::vector<std::string>& conditions = {}) {
+  try {
+    read_gmsh(text, "m.msh", conditions);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
 
 TEST(Gmsh, both_formats_give_the_same_mesh) {
   for (const std::string& text : {format_2, format_4}) {
@@ -93,15 +108,133 @@ TEST(Gmsh, a_curve_in_several_groups_takes_the_first_that_has_a_name) {
 }
 
 TEST(Gmsh, a_circle_of_the_scene_is_put_on_its_boundary) {
-  scene::Mesh parameters;
-  parameters.file = "square.msh";
-  parameters.circles.push_back({"the inlet", {0.5, 0.5}, std::sqrt(0.5)});
-  const Mesh mesh = scene_mesh(parameters, {}, format_4);
+  scene::Fluid fluid;
+  fluid.mesh.file = "square.msh";
+  for (const char* boundary : {"wall", "the inlet"}) fluid.boundaries[boundary].type = "no_slip";
+  fluid.mesh.circles.push_back({"the inlet", {0.5, 0.5}, std::sqrt(0.5)});
+  const Mesh mesh = scene_mesh(fluid, {}, format_4);
   for (const BoundaryEdge& b : mesh.boundary) {
     EXPECT_EQ(mesh.is_curved_edge(b.edge), b.boundary == 1);
     if (b.boundary == 1) {
       EXPECT_NEAR(mesh.middles[b.edge].x(), 0.5 - std::sqrt(0.5), 1e-15);
     }
+  }
+}
+
+TEST(Gmsh, a_mesh_whose_z_changes_is_refused_with_a_word_on_z) {
+  const std::string tilted = with(format_2, "2 1 0 0\n3 1 1 0\n", "2 1 0 .75\n3 1 1 .75\n");
+  EXPECT_EQ(error_of(tilted),
+            "m.msh: a mesh in a plane of constant z is required, as the flow is in x and y; got nodes from z "
+            "= 0 to z "
+            "= 0.75 m: turn the geometry into the x-y plane");
+  const std::string upright = with(format_2, "3 1 1 0\n4 0 1 0\n", "3 1 0 1\n4 0 0 1\n");  // in x and z
+  EXPECT_NE(error_of(upright).find("constant z"), std::string::npos) << error_of(upright);
+  const std::string middle = with(curved(format_2), "12 -.1 .5 0", "12 -.1 .5 .1");
+  EXPECT_NE(error_of(middle).find("constant z"), std::string::npos) << error_of(middle);
+}
+
+TEST(Gmsh, a_mesh_may_lie_at_any_constant_z_and_nodes_that_no_element_uses_anywhere) {
+  std::string text =
+      with(format_2, "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n", "1 0 0 5\n2 1 0 5\n3 1 1 5\n4 0 1 5\n");
+  EXPECT_EQ(read_gmsh(text, "m.msh").n_cells(), 2);
+}
+
+TEST(Gmsh, groups_of_one_name_are_one_boundary) {
+  for (const std::string& text : {format_2, format_4}) {
+    const Mesh mesh = read_gmsh(with(text, "the inlet", "wall"), "m.msh");
+    EXPECT_EQ(mesh.boundary_names, std::vector<std::string>{"wall"});
+    EXPECT_EQ(mesh.boundary.size(), 4u);
+  }
+}
+
+// The upper side is in the groups of both names: twice in the file of format 2.2.
+const std::string both_2 = with(format_2, "$Elements\n7\n", "$Elements\n8\n8 1 2 2 3 4 3\n");
+const std::string both_4 = with(format_4, "3 0 1 0 1 1 0 1 1 ", "3 0 1 0 1 1 0 2 1 2 ");
+
+TEST(Gmsh, an_edge_in_two_groups_belongs_to_the_one_that_the_scene_names) {
+  for (const std::string& text : {both_2, both_4}) {
+    for (const char* name : {"wall", "the inlet"}) {
+      const Mesh mesh = read_gmsh(text, "m.msh", {name});
+      for (const BoundaryEdge& b : mesh.boundary) {
+        if (mesh.middles[b.edge].y() == 1) {
+          EXPECT_EQ(mesh.boundary_names[b.boundary], name);
+        }
+      }
+    }
+    const std::string error = error_of(text, {"wall", "the inlet"});
+    EXPECT_NE(error.find("m.msh: one condition for each edge of the boundary is required"), std::string::npos)
+        << error;
+  }
+}
+
+TEST(Gmsh, a_group_of_which_another_takes_every_edge_is_no_boundary) {
+  std::string text = with(format_4, "1 0 0 0 1 0 0 1 1 ", "1 0 0 0 1 0 0 2 1 2 ");
+  text = with(text, "4 0 0 0 0 1 0 1 2 ", "4 0 0 0 0 1 0 1 1 ");
+  EXPECT_EQ(read_gmsh(text, "m.msh", {"wall"}).boundary_names, std::vector<std::string>{"wall"});
+}
+
+TEST(Gmsh, a_triangle_that_stands_there_for_each_of_its_groups_is_one) {
+  const std::string text =
+      with(format_2, "$Elements\n7\n", "$Elements\n9\n8 2 2 4 1 2 3 1\n9 2 2 4 1 1 3 4\n");
+  EXPECT_EQ(read_gmsh(text, "m.msh").n_cells(), 2);
+}
+
+std::string shipped(const std::string& name) {
+  std::ifstream file(FPI_GMSH_FILES "/" + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Gmsh, a_partitioned_mesh_is_the_mesh_as_a_whole) {
+  const Mesh whole = read_gmsh(shipped("version_4.msh"), "whole.msh");
+  const Mesh parts = read_gmsh(shipped("partitioned.msh"), "parts.msh");
+  EXPECT_EQ(parts.n_cells(), whole.n_cells());
+  EXPECT_EQ(parts.n_edges(), whole.n_edges());
+  EXPECT_EQ(parts.boundary_names, whole.boundary_names);
+  ASSERT_EQ(parts.boundary.size(), whole.boundary.size());
+  const auto edges_of = [](const Mesh& mesh, Index boundary) {
+    return std::ranges::count(mesh.boundary, boundary, &BoundaryEdge::boundary);
+  };
+  for (Index b = 0; b < 3; ++b) EXPECT_EQ(edges_of(parts, b), edges_of(whole, b));
+}
+
+TEST(Gmsh, one_partition_of_several_is_refused) {
+  const std::string text =
+      with(shipped("partitioned.msh"), "$PartitionedEntities\n2\n", "$PartitionedEntities\n3\n");
+  EXPECT_NE(error_of(text).find("all its partitions in one file"), std::string::npos) << error_of(text);
+}
+
+TEST(Gmsh, every_error_names_the_file) {
+  EXPECT_NE(error_of(with(format_2, "3 1 1 0", "3 2 0 0")).find("m.msh: triangles must have an area"),
+            std::string::npos);
+  EXPECT_NE(error_of(with(format_2, "2 1 2 1 1 1 2", "2 1 2 9 1 1 2")).find("m.msh: every outer edge"),
+            std::string::npos);
+  EXPECT_NE(error_of(with(format_2, "9 5 5 0", "1 5 5 0"))
+                .find("m.msh:16: one place of node 1 is required; got two"),
+            std::string::npos)
+      << error_of(with(format_2, "9 5 5 0", "1 5 5 0"));
+  EXPECT_NE(error_of(with(format_2, "the inlet", "\xf6"))
+                .find("a name in UTF-8 on one line is required; got \\xF6"),
+            std::string::npos)
+      << error_of(with(format_2, "the inlet", "\xf6"));
+}
+
+TEST(Gmsh, a_mesh_cut_open_by_doubled_nodes_gets_a_hint) {
+  const std::string text = with(with(format_2, "9 5 5 0", "9 0 0 0"), "7 2 2 3 1 1 3 4", "7 2 2 3 1 9 3 4");
+  EXPECT_NE(error_of(with(text, "2 2 4 4 1", "2 2 4 4 9")).find("Coherence Mesh"), std::string::npos)
+      << error_of(text);
+}
+
+TEST(Gmsh, a_boundary_without_a_condition_is_said_with_the_file) {
+  scene::Fluid fluid;
+  fluid.mesh.file = "square.msh";
+  fluid.boundaries["wall"].type = "no_slip";
+  try {
+    scene_mesh(fluid, {}, format_4);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_STREQ(e.what(),
+                 "square.msh: the boundary \"the inlet\" of the mesh needs a condition: add "
+                 "[fluid.boundaries.the inlet]");
   }
 }
 

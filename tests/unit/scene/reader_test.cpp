@@ -78,6 +78,75 @@ TEST(Reader, refuses_numbers_that_are_not_finite_or_too_large) {
   }
 }
 
+TEST(Reader, refuses_numbers_with_which_volumes_and_energies_overflow) {
+  const auto of_radius = [](const std::string& radius) {
+    return error_of(with(settling, "radius = 0.00125", "radius = " + radius));
+  };
+  for (const char* radius : {"1e307", "1e51"})
+    EXPECT_NE(
+        of_radius(radius).find(
+            "drop.toml:26: bodies.0.radius must be a finite number > 0 m, up to 1e+50 in magnitude; got 1e"),
+        std::string::npos)
+        << of_radius(radius);
+  for (const char* radius : {"1e-310", "5e-324"})
+    EXPECT_NE(of_radius(radius).find("a finite number > 0 m, at least 1e-50; got "), std::string::npos)
+        << of_radius(radius);
+  const auto of_height = [](const std::string& height) {
+    return error_of(with(settling, "[0.01, 0.04]", "[0.01, " + height + "]"));
+  };
+  EXPECT_NE(of_height("-1e60").find("bodies.0.position.1 must be a finite number"), std::string::npos);
+  EXPECT_EQ(of_height("1e-60"), "");
+}
+
+TEST(Reader, refuses_text_that_is_not_utf8) {
+  EXPECT_EQ(error_of(with(settling, "a disc settles",
+                          "Gr\xf6\xdf"
+                          "e")),
+            "drop.toml:1: text in UTF-8 is required; got the byte 0xF6, as Latin-1 and other encodings have "
+            "it: save "
+            "the file in UTF-8");
+  std::string wide = "\xff\xfe";
+  for (const char c : settling) wide += {c, '\0'};
+  EXPECT_EQ(error_of(wide), "drop.toml:1: text in UTF-8 is required; got UTF-16: save the file in UTF-8");
+  EXPECT_EQ(error_of("\xef\xbb\xbf" + settling), "");
+  EXPECT_NE(error_of(settling, {"title=\xf6"}).find("--set title=\\xF6"), std::string::npos)
+      << error_of(settling, {"title=\xf6"});
+}
+
+TEST(Reader, quotes_whole_characters_of_a_long_text) {
+  std::string word(59, 'a');
+  word += "\u00e9\u00e9";
+  const std::string error = error_of(with(settling, "\"no_slip\"", "\"" + word + "\""));
+  EXPECT_NE(error.find("got \"" + word.substr(0, 59) + "\"…"), std::string::npos) << error;
+}
+
+TEST(Reader, says_what_a_periodic_rectangle_without_a_corner_lacks) {
+  const std::string periodic = with(settling, "[fluid]", "[periodic]\nx = [0, 0.02]\n[fluid]");
+  for (const char* corner : {"lower = [0, 0]\n", "upper = [0.02, 0.06]\n"})
+    EXPECT_NE(error_of(with(periodic, corner, ""))
+                  .find(": fluid.mesh.lower must name a mesh, or else lower = [x, y] and upper = [x, y]"),
+              std::string::npos)
+        << error_of(with(periodic, corner, ""));
+  EXPECT_NE(error_of(with(periodic, "lower = [0, 0]", "lower = [0]")), "");
+  EXPECT_NE(error_of(with(periodic, "density = 1000", "density = 1000\nsuperficial_velocity = [\"1\"]")), "");
+}
+
+TEST(Reader, refuses_lists_and_assignments_as_formulas_with_their_key) {
+  const auto moving = [](const std::string& velocity) {
+    return error_of(with(settling, "top.type = \"no_slip\"",
+                         "top = {type = \"velocity\", velocity = [" + velocity + ", 0]}"));
+  };
+  EXPECT_EQ(moving("\"0.5\""), "");
+  EXPECT_EQ(moving("\"0,5\""),
+            "drop.toml:22: fluid.boundaries.top.velocity.0: a formula of one value is required; got \"0,5\", "
+            "a list of "
+            "2: write decimals with a point, as in 0.5");
+  EXPECT_EQ(
+      moving("\"x=5\""),
+      "drop.toml:22: fluid.boundaries.top.velocity.0: a formula without = is required; got \"x=5\": give the "
+      "right side only, or compare with ==");
+}
+
 TEST(Reader, says_what_a_missing_key_would_be) {
   EXPECT_EQ(error_of(with(settling, "density = 1000\n", "")),
             "drop.toml:8: fluid.density is required, a finite number > 0 kg/m³; got nothing: add density = … "

@@ -2,18 +2,22 @@
 /// for where it is read, so that hostile text ends in a sentence.
 #pragma once
 
-#include <charconv>
+#include <algorithm>
+#include <cctype>
 #include <string>
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/number.hpp"
+#include "core/utf8.hpp"
 
-namespace fpi::fluid {
+namespace fpi {
 
 class Words {
  public:
-  /// `name` stands for the text in errors.
-  Words(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  /// `name` stands for the text in errors, which end with the `remedy`.
+  Words(std::string_view text, const std::string& name, const std::string& remedy)
+      : text_(without_byte_order_mark(text)), name_(name), remedy_(remedy) {}
 
   bool at_end() {
     skip_space();
@@ -32,16 +36,36 @@ class Words {
         position_ < text_.size() ? text_.find('"', position_ + 1) : std::string_view::npos;
     if (end == std::string_view::npos || text_[position_] != '"') bad("a name in quotes", "something else");
     std::string out(text_.substr(position_ + 1, end - position_ - 1));
+    if (first_bad_byte(out) != out.size() || out.find('\n') != std::string::npos)
+      bad("a name in UTF-8 on one line", printable(out));
     position_ = end + 1;
     return out;
   }
   template <class Number>
   Number number() {
     const std::string_view w = word();
-    Number value{};
-    const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), value);
-    if (error != std::errc{} || end != w.data() + w.size()) bad("a number", std::string(w));
-    return value;
+    const auto value = to_number<Number>(w);
+    if (!value) bad("a number", printable(w));
+    return *value;
+  }
+  /// A coordinate [m], or another real: of a size that can be computed with.
+  double real() {
+    const std::string_view w = word();
+    const auto value = to_number<double>(w);
+    if (!value) bad("a number", printable(w));
+    if (std::abs(*value) > largest_real) bad(fmt::format("a number up to {:g}", largest_real), printable(w));
+    return *value;
+  }
+  /// Takes the word `wanted`, in capitals or not.
+  void expect(std::string_view wanted) {
+    const std::string_view w = word();
+    if (!same(w, wanted)) bad(std::string(wanted), printable(w));
+  }
+  /// Whether `word` is `wanted`, in capitals or not.
+  static bool same(std::string_view word, std::string_view wanted) {
+    return std::ranges::equal(word, wanted, [](char a, char b) {
+      return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    });
   }
   /// A count, which cannot exceed what is left of the file.
   std::size_t count() {
@@ -50,8 +74,11 @@ class Words {
       bad("a count that the rest of the file can hold", std::to_string(n));
     return static_cast<std::size_t>(n);
   }
+  void skip(int words) {
+    for (; words > 0; --words) word();
+  }
   void skip_line() {
-    while (position_ < text_.size() && text_[position_] != '\n') ++position_;
+    while (position_ < text_.size() && text_[position_] != '\n' && text_[position_] != '\r') ++position_;
   }
   void skip_to(std::string_view word) {
     const std::size_t found = text_.find(word, position_);
@@ -59,8 +86,7 @@ class Words {
     while (position_ < found + word.size()) line_ += text_[position_++] == '\n';
   }
   [[noreturn]] void bad(const std::string& wanted, const std::string& got) const {
-    fail("{}:{}: {} is required; got {}: write the mesh anew with Gmsh (ASCII, format 2.2 or 4.1)", name_,
-         line_, wanted, got);
+    fail("{}:{}: {} is required; got {}: {}", name_, line_, wanted, got, remedy_);
   }
 
  private:
@@ -69,9 +95,9 @@ class Words {
     while (position_ < text_.size() && is_space(text_[position_])) line_ += text_[position_++] == '\n';
   }
   std::string_view text_;
-  std::string name_;
+  std::string name_, remedy_;
   std::size_t position_ = 0;
   std::size_t line_ = 1;
 };
 
-}  // namespace fpi::fluid
+}  // namespace fpi
