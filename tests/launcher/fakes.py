@@ -37,7 +37,7 @@ what = os.environ.get("FAKE_COUPLER", "")
 note(1, "the run is under way, or it ended without a word")
 if what.startswith("die"):
     if what == "die with checkpoint":
-        open(os.path.join(out, "checkpoint.h5"), "w").close()
+        open(os.path.join(out, "checkpoint.bin"), "w").close()
     os.kill(os.getpid(), signal.SIGKILL)
 signal.signal(signal.SIGINT, signal.SIG_IGN if what == "hang" else lambda *_: end(1, "interrupted"))
 print(" ".join(words))
