@@ -21,9 +21,10 @@ namespace {
        std::strerror(errno));
 }
 
-/// Of a file or a folder.
+/// Of a file or a folder; one that somebody else has removed meanwhile needs none.
 void sync_to_disk(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0 && errno == ENOENT) return;
   if (file < 0) fail_to_write(path);
   const bool synced = fsync(file) == 0;
   const int error = errno;
@@ -56,7 +57,7 @@ void replace_text(const std::string& path, std::string_view text, Durable durabl
 
 void sync_folder(const std::string& folder) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_directory() || (entry.is_regular_file() && !entry.is_symlink())) sync_to_disk(entry.path());
+    if (!entry.is_symlink() && (entry.is_directory() || entry.is_regular_file())) sync_to_disk(entry.path());
   sync_to_disk(folder);
 }
 
