@@ -95,29 +95,27 @@ TEST_F(RunTest, a_checkpoint_of_another_scene_is_refused_but_one_that_only_ends_
   EXPECT_THROW(newest_checkpoint(scene), Error);
 }
 
+/// Runs the scene with participants of its own, from a checkpoint or from the start.
+void run_to_end(RunTest& test, const scene::Scene& scene, const std::optional<Checkpoint>& checkpoint = {}) {
+  FakeFluid fluid;
+  FakeDem dem = RunTest::new_dem();
+  CoupledRun run(scene, {&fluid, &dem}, test.folder.path(), 1, test.ledger);
+  checkpoint ? run.resume({}, *checkpoint) : run.start({});
+  run.march();
+}
+
 TEST_F(RunTest, a_finished_run_that_is_extended_is_the_longer_run_to_the_bit) {
   scene::Scene scene = make_scene({disc("ball", "free")});
-  scene.time.end = 2.4;
   scene.output.checkpoint_every = 4;
   scene.output.interval = 0.6;
-  CoupledRun whole = make_run(scene);
-  whole.start({});
-  whole.march();
+  scene::Scene longer = scene;
+  longer.time.end = 2 * scene.time.end;
+  run_to_end(*this, longer);
   const std::string history = read_text_file(folder / "history.csv"),
                     xdmf = read_text_file(folder / "fields.xdmf");
-  fluid = FakeFluid();
-  dem = new_dem();
-  scene.time.end = 1.2;
-  CoupledRun first = make_run(scene);
-  first.start({});
-  first.march();
+  run_to_end(*this, scene);
   EXPECT_EQ(history_lines(), 12u);
-  fluid = FakeFluid();
-  dem = new_dem();
-  scene.time.end = 2.4;
-  CoupledRun longer = make_run(scene);
-  longer.resume({}, newest_checkpoint(scene));
-  longer.march();
+  run_to_end(*this, longer, newest_checkpoint(longer));
   EXPECT_EQ(read_text_file(folder / "history.csv"), history);
   EXPECT_EQ(read_text_file(folder / "fields.xdmf"), xdmf);
 }
@@ -151,11 +149,7 @@ TEST_F(RunTest, when_a_checkpoint_is_written_changes_no_bit) {
   std::vector<std::string> histories;
   for (const double interval : {1e-9, 1e9}) {  // at each state that can be resumed, at none
     scene.output.checkpoint_interval = interval;
-    fluid = FakeFluid();
-    dem = new_dem();
-    CoupledRun run = make_run(scene);
-    run.start({});
-    run.march();
+    run_to_end(*this, scene);
     histories.push_back(read_text_file(folder / "history.csv"));
   }
   EXPECT_EQ(histories[0], histories[1]);
