@@ -235,8 +235,12 @@ class Session {
   std::string where_it_stands() const {
     if (!run_) return "";
     const Standing s = run_->standing();
-    return fmt::format(" (at step {} of about {}, t = {} s of {} s; results up to there are kept)", s.step,
-                       s.steps, s.time, s.end);
+    const std::string further =
+        has_checkpoint(options_.folder)
+            ? fmt::format("; `./fpi resume {}` continues from the last checkpoint", options_.folder)
+            : "";
+    return fmt::format(" (at step {} of about {}, t = {} s of {} s; results up to there are kept{})", s.step,
+                       s.steps, s.time, s.end, further);
   }
 
   void finish() {

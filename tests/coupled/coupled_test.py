@@ -135,6 +135,7 @@ class Coupled(unittest.TestCase):
             run.wait_for_step(60)
             interrupt(run.coupler)
             self.assertEqual(run.wait(), 1)
+        self.assertRegex(run.summary["reason"], "stopped by the user .*`./fpi resume .*/run` continues")
         with CoupledRun(self.folder, None, resume=True) as resumed:
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertRegex(resumed.log(), "resumed after step (50|75)")
