@@ -152,6 +152,18 @@ void discard_newest_checkpoint(const std::string& folder) {
     fs::remove(checkpoint_file(folder));
 }
 
+std::optional<Checkpoint> read_previous_checkpoint(const std::string& folder, const Inputs& inputs) {
+  const std::string path = previous_checkpoint_file(folder);
+  std::optional<Checkpoint> checkpoint;
+  try {
+    checkpoint = checkpoint_from_bytes(content_of(path));
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  require_same(checkpoint->inputs, inputs, path);
+  return checkpoint;
+}
+
 Checkpoint read_checkpoint(const std::string& folder, const Inputs& inputs) {
   const std::string newest = checkpoint_file(folder), previous = previous_checkpoint_file(folder);
   require(has_checkpoint(folder), "a checkpoint is required to resume; {} is not there", newest);

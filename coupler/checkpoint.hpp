@@ -3,6 +3,7 @@
 /// damaged on the way, by a single bit or by more, is not taken for a state.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -34,6 +35,10 @@ void discard_newest_checkpoint(const std::string& folder);
 /// the place of the newest then. Throws Error where there is none, or where it is of another scene, of other
 /// input files, which are named, or of another version of this program.
 Checkpoint read_checkpoint(const std::string& folder, const Inputs& inputs);
+
+/// The one before the newest; nothing where there is none that is whole. Throws Error as `read_checkpoint`
+/// does.
+std::optional<Checkpoint> read_previous_checkpoint(const std::string& folder, const Inputs& inputs);
 
 proto::Bytes to_bytes(const Checkpoint& checkpoint);
 /// Throws Error for bytes that are not a whole checkpoint of this version.

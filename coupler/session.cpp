@@ -131,21 +131,17 @@ class Session {
                extends = sets(options_.overrides, "time.end");
     require(!completed || extends,
             "nothing to resume: the run reached its end; --set time.end=… with a later end extends it");
-    const auto read = [this] {
-      if (has_checkpoint(options_.folder))
-        checkpoint_ = read_checkpoint(options_.folder, inputs_up_to_any_end(scene_, files_));
-    };
-    read();
-    require(checkpoint_ || !completed, "a checkpoint is required to extend a run; {} has none",
-            options_.folder);
-    while (checkpoint_ && checkpoint_->time >= scene_.time.end) {
-      require(!extends, "time.end must be later than t = {} s, which the run has come to; got {} s",
-              checkpoint_->time, scene_.time.end);
-      // It was stopped after its last step, before its figures were written: they come with its last steps.
-      discard_newest_checkpoint(options_.folder);
-      checkpoint_.reset();
-      read();
-    }
+    require(has_checkpoint(options_.folder) || !completed,
+            "a checkpoint is required to extend a run; {} has none", options_.folder);
+    if (!has_checkpoint(options_.folder)) return;
+    const Inputs inputs = inputs_up_to_any_end(scene_, files_);
+    checkpoint_ = read_checkpoint(options_.folder, inputs);
+    if (checkpoint_->time < scene_.time.end) return;
+    require(!extends, "time.end must be later than t = {} s, which the run has come to; got {} s",
+            checkpoint_->time, scene_.time.end);
+    // It was stopped after its last step, before its figures were written: they come with its last steps.
+    checkpoint_ = read_previous_checkpoint(options_.folder, inputs);
+    uses_previous_ = true;
   }
 
   void open_address() {
@@ -160,6 +156,7 @@ class Session {
 
   /// From here on the folder tells of this run.
   void begin() {
+    if (uses_previous_) discard_newest_checkpoint(options_.folder);
     if (!checkpoint_) clear_folder(options_.folder);
     remove_unfinished(options_.folder);
     write_inputs(options_.folder, scene_, files_);
@@ -334,7 +331,7 @@ class Session {
   Plan plan_;
   const std::uint64_t number_ = random_run_number();
   std::optional<Checkpoint> checkpoint_;  ///< to resume from
-  bool began_ = false, reached_end_ = false, all_save_ = true;
+  bool uses_previous_ = false, began_ = false, reached_end_ = false, all_save_ = true;
   Files files_;
   std::unique_ptr<proto::Host> host_;
   std::set<std::string> offered_;  ///< capabilities of all participants
