@@ -22,26 +22,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array results{"fields.h5",
-                             "fields",
-                             "fields.xdmf",
-                             "bodies.h5",
-                             "interface.h5",
-                             "interface",
-                             "boundaries.h5",
-                             "boundaries",
-                             "profiles.h5",
-                             "profiles",
-                             "history.csv",
-                             "extrema.csv",
-                             "final_bodies.csv",
-                             "left_bodies.csv",
-                             "sections.csv",
-                             "velocities.csv",
-                             "grains.csv",
-                             "checkpoint.bin",
-                             "checkpoint.previous.bin",
-                             "summary.json"};
+/// The summary first: without it nothing is taken for a run that reached its end.
+constexpr std::array results{
+    "summary.json", "fields.h5",      "fields",        "fields.xdmf",      "bodies.h5",
+    "interface.h5", "interface",      "boundaries.h5", "boundaries",       "profiles.h5",
+    "profiles",     "history.csv",    "extrema.csv",   "final_bodies.csv", "left_bodies.csv",
+    "sections.csv", "velocities.csv", "grains.csv",    "checkpoint.bin",   "checkpoint.previous.bin"};
 constexpr const char* inputs_folder = "inputs";
 
 proto::Bytes read_bytes(const fs::path& path, const std::string& scene_file) {
