@@ -91,7 +91,7 @@ TEST_F(Stages, a_stage_is_run_again_after_a_change_of_its_scene_or_by_another_ve
   EXPECT_FALSE(read().stages[0].ready);
   run_packing(version);
   EXPECT_TRUE(read().stages[0].ready);
-  put("packing.toml", "title = \"denser\"\n" + packing);
+  put("packing.toml", "thickness = 2\n" + packing);
   StagedScene staged = read();
   EXPECT_FALSE(staged.stages[0].ready);
   try {
