@@ -35,9 +35,12 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-/// Errors are reported by us, in one sentence, not by HDF5's stack on the terminal.
-void silence_library() {
-  [[maybe_unused]] static const herr_t once = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+/// Errors are reported by us, in one sentence, not by HDF5's stack on the terminal. At the end of the process
+/// nothing is left to close: files that could not be, on a full disk, would be tried once more, which HDF5
+/// does not survive.
+void prepare_library() {
+  [[maybe_unused]] static const bool once =
+      H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
 }
 
 std::vector<hsize_t> to_hsize(const Shape& shape) { return {shape.begin(), shape.end()}; }
@@ -66,7 +69,7 @@ hid_t variable_text() {
 }  // namespace
 
 H5File H5File::replacing(const std::string& path) {
-  silence_library();
+  prepare_library();
   H5File file(path, H5Fcreate(temporary_name(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   require(file.id_ >= 0,
           "a folder that can be written is required for {}; got a refusal: check permissions, free space and "
@@ -76,7 +79,7 @@ H5File H5File::replacing(const std::string& path) {
 }
 
 H5File H5File::revising(const std::string& path) {
-  silence_library();
+  prepare_library();
   const std::string copy = temporary_name(path);
   std::error_code error;
   std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing, error);
@@ -87,7 +90,7 @@ H5File H5File::revising(const std::string& path) {
 }
 
 H5File H5File::read(const std::string& path) {
-  silence_library();
+  prepare_library();
   H5File file(path, H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
   require(file.id_ >= 0, "a whole HDF5 file is required at {}; it is missing or damaged", path);
   return file;

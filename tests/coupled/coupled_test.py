@@ -242,7 +242,8 @@ class Coupled(unittest.TestCase):
             with self.subTest(write=number):
                 folder = self.folder / str(number)
                 with CoupledRun(folder, scene, coupler_environment=preloaded | {"KILL_AT_WRITE": str(number)}) as run:
-                    run.coupler.communicate()
+                    run.coupler.stdout.read()
+                    run.coupler.wait()
                     self.assertEqual(run.coupler.returncode, -9, f"it has fewer than {number} writes")
                 for path in run.out.rglob("*.h5"):
                     arrays_of(path)
