@@ -51,9 +51,6 @@ CommandLine read_coupler_command_line(int argc, char** argv) {
     } else if (!*scene && !*resume) {
       throw CLI::RequiredError("one of --scene, --resume, --plan, --check, --reference, --make-keys");
     }
-    if (session.resume && !session.overrides.empty()) {
-      throw CLI::ExcludesError("--resume", "--set: a run continues with its own scene");
-    }
   } catch (const CLI::ParseError& e) {
     line.exit_status = app.exit(e) == 0 ? 0 : usage_error;
   }

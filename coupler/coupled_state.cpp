@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/error.hpp"
+
 namespace fpi {
 
 void put_numbers(const CoupledState& state, NumbersByName& numbers) {
@@ -34,12 +36,18 @@ void put_numbers(const CoupledState& state, NumbersByName& numbers) {
 }
 
 void take_numbers(const NumbersByName& numbers, CoupledState& state) {
-  const auto triple = [&numbers](const char* name, std::size_t body) {
-    return Eigen::Vector3d(&numbers.at(name).at(3 * body));
+  const auto entry = [&numbers](const char* name, std::size_t index, std::size_t size) {
+    const std::vector<double>& all = numbers.at(name);
+    require(all.size() >= (index + 1) * size,
+            "a checkpoint of as many bodies as the scene has is required; its {} end at {}", name, index);
+    return &all[index * size];
+  };
+  const auto triple = [&entry](const char* name, std::size_t body) {
+    return Eigen::Vector3d(entry(name, body, 3));
   };
   for (std::size_t i = 0; i < state.motions.size(); ++i) {
     state.motions[i] = {.position = triple("position", i),
-                        .orientation = Eigen::Quaterniond(&numbers.at("orientation").at(4 * i)),
+                        .orientation = Eigen::Quaterniond(entry("orientation", i, 4)),
                         .velocity = triple("velocity", i),
                         .spin = triple("spin", i)};
     state.loads[i] = {.force = triple("force", i), .torque = triple("torque", i)};
@@ -52,12 +60,12 @@ void take_numbers(const NumbersByName& numbers, CoupledState& state) {
   const std::vector<double>& left = numbers.at("left");
   state.left.assign(left.begin(), left.end());
   for (std::size_t i = 0; i < state.departed.size(); ++i) {
-    const double* sums = &numbers.at("departed").at(2 * i);
+    const double* sums = entry("departed", i, 2);
     state.departed[i] = {.count = sums[0], .mass = sums[1], .momentum = triple("departed_momentum", i)};
   }
   for (std::size_t i = 0; i < state.walls.size(); ++i) {
     state.walls[i].position = triple("wall_position", i);
-    state.walls[i].orientation = Eigen::Quaterniond(&numbers.at("wall_orientation").at(4 * i));
+    state.walls[i].orientation = Eigen::Quaterniond(entry("wall_orientation", i, 4));
   }
 }
 

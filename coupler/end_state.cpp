@@ -1,6 +1,7 @@
 #include "end_state.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "output/table.hpp"
 
@@ -27,9 +28,11 @@ std::vector<double> end_state(const scene::Scene& scene, std::size_t body,
 
 void write_final_bodies(const scene::Scene& scene, const CoupledState& state, const std::string& folder) {
   if (!scene.moves_freely()) return;
-  output::Table table(final_bodies_file(folder), end_state_columns(scene));
+  std::vector<double> entries;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-    if (scene.bodies[i].is_free() && state.is_there(i)) table.append(end_state(scene, i, state.motions[i]));
+    if (scene.bodies[i].is_free() && state.is_there(i))
+      std::ranges::copy(end_state(scene, i, state.motions[i]), std::back_inserter(entries));
+  output::write_table(final_bodies_file(folder), end_state_columns(scene), entries);
 }
 
 }  // namespace fpi

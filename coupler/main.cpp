@@ -34,6 +34,12 @@ int check_scene(const SessionOptions& options) {
   return 0;
 }
 
+void print_plan(const SessionOptions& options) {
+  StagedScene staged = read_staged(options.scene, options.overrides, options.stages);
+  const Files files = read_files(find_files(staged, options.scene, Unready::leave_out), options.scene);
+  std::puts(to_json(make_plan(staged, files)).c_str());
+}
+
 int carry_out(const CommandLine& line) {
   switch (line.task) {
     case Task::run:
@@ -41,9 +47,7 @@ int carry_out(const CommandLine& line) {
     case Task::check:
       return check_scene(line.session);
     case Task::plan:
-      std::puts(
-          to_json(make_plan(read_staged(line.session.scene, line.session.overrides, line.session.stages)))
-              .c_str());
+      print_plan(line.session);
       return 0;
     case Task::reference:
       std::fputs(scene::reference().c_str(), stdout);

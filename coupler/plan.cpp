@@ -2,10 +2,10 @@
 
 namespace fpi {
 
-Plan make_plan(const StagedScene& staged) {
+Plan make_plan(const StagedScene& staged, const Files& files) {
   const scene::Scene& scene = staged.scene;
   Plan plan{.title = scene.title,
-            .scene_fingerprint = scene::fingerprint(scene),
+            .scene_fingerprint = fingerprint(inputs_of(scene, files)),
             .participants = {},
             .stages = staged.stages};
   const auto add = [&plan](const char* role, const scene::Launch& launch) {

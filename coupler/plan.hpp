@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "inputs.hpp"
 #include "scene/scene.hpp"
 #include "stages.hpp"
 
@@ -18,11 +19,12 @@ struct PlannedParticipant {
 
 struct Plan {
   std::string title;
-  std::uint64_t scene_fingerprint = 0;
+  std::uint64_t scene_fingerprint = 0;  ///< of the scene and its files, see inputs.hpp
   std::vector<PlannedParticipant> participants;
   std::vector<Stage> stages;  ///< to be run before, unless they are ready
 };
 
-Plan make_plan(const StagedScene& staged);
+/// `files` are those that the scene names and that are there already.
+Plan make_plan(const StagedScene& staged, const Files& files);
 
 }  // namespace fpi

@@ -64,14 +64,6 @@ void record_curves(double time, const std::vector<proto::Curve>& curves, const s
   writer->write(time, views);
 }
 
-/// NAME.csv, anew each time.
-void record_table(const std::string& folder, const proto::Sheet& table) {
-  output::Table file(folder + "/" + table.name + ".csv", table.columns);
-  const std::size_t n = table.columns.size();
-  for (std::size_t row = 0; row < table.values.size(); row += n)
-    file.append(std::span(table.values).subspan(row, n));
-}
-
 /// Of a body that left.
 output::BodyRow nowhere() {
   std::array<double, 3> nothing;
@@ -235,7 +227,8 @@ void Recorder::record_fields(double time, const proto::Fields& fields) {
   fields_->write(time, views);
   record_curves(time, fields.boundaries, boundary_file(folder_), "traction", boundaries_);
   record_curves(time, fields.profiles, profile_file(folder_), "value", profiles_);
-  for (const proto::Sheet& table : fields.tables) record_table(folder_, table);
+  for (const proto::Sheet& table : fields.tables)  // anew each time
+    output::write_table(folder_ + "/" + table.name + ".csv", table.columns, table.values);
 }
 
 }  // namespace fpi

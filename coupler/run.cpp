@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "output/replace.hpp"
 
 namespace fpi {
 
@@ -25,6 +26,7 @@ Run::Run(const scene::Scene& scene, Participants participants, std::string folde
 }
 
 void Run::start(const Files& files) {
+  inputs_ = inputs_up_to_any_end(scene_, files);
   simulation_.configure(files, {});
   recorder_.emplace(scene_, folder_);
   if (!scene_.time.steady && window_.step() != scene_.time.step) {
@@ -47,6 +49,7 @@ void Run::start_suddenly() {
 }
 
 void Run::resume(const Files& files, const Checkpoint& checkpoint) {
+  inputs_ = checkpoint.inputs;
   simulation_.configure(files, checkpoint.participants);
   simulation_.set_numbers(checkpoint.simulation);
   window_.set_state(checkpoint.time_window);
@@ -57,11 +60,44 @@ void Run::resume(const Files& files, const Checkpoint& checkpoint) {
 }
 
 void Run::march() {
-  if (scene_.time.steady) return solve_steady();
-  const auto every = static_cast<std::uint64_t>(scene_.output.checkpoint_every);
+  try {
+    scene_.time.steady ? solve_steady() : take_steps();
+  } catch (...) {
+    keep_results();
+    throw;
+  }
+  recorder_->flush();
+}
+
+/// The steps at which a run may be resumed do not depend on the clock: all participants go on there as if
+/// they were resumed, whether or not a checkpoint is written.
+void Run::take_steps() {
   while (!window_.done()) {
     take_step();
-    if (every > 0 && simulation_.steps() % every == 0) save_checkpoint();
+    if (!is_resumable()) continue;
+    resumable_ = state_now();
+    if (checkpoint_is_due()) save_checkpoint();
+  }
+}
+
+bool Run::is_resumable() const {
+  const std::int64_t every = participants_.save_their_state ? scene_.output.resumable_every() : 0;
+  return every > 0 && (window_.done() || simulation_.steps() % static_cast<std::uint64_t>(every) == 0);
+}
+
+bool Run::checkpoint_is_due() const {
+  const std::chrono::duration<double> interval(scene_.output.checkpoint_interval);
+  return scene_.output.checkpoint_every > 0 || window_.done() ||
+         std::chrono::steady_clock::now() - saved_ > std::max(interval, 100 * saving_takes_);
+}
+
+/// What a run that fails or is stopped leaves behind.
+void Run::keep_results() {
+  try {
+    if (recorder_) recorder_->flush();
+    if (resumable_) save_checkpoint();
+  } catch (const std::exception& e) {
+    log::error("results could not be kept: {}", e.what());
   }
 }
 
@@ -191,20 +227,30 @@ void Run::write_fields(double time) {
   }
 }
 
-void Run::save_checkpoint() {
+Checkpoint Run::state_now() {
   StatesByRole states;
   if (participants_.fluid) states["fluid"] = participants_.fluid->checkpoint().bytes;
   if (participants_.dem) states["dem"] = participants_.dem->checkpoint().bytes;
+  return {.inputs = inputs_,
+          .time = window_.start(),
+          .simulation = simulation_.numbers(),
+          .time_window = window_.state(),
+          .statistics = statistics_.numbers(),
+          .file_sizes = recorder_->sizes(),
+          .participants = std::move(states)};
+}
+
+/// A checkpoint names rows and steps of result files, so that these must be on the disk before it.
+void Run::save_checkpoint() {
   const ScopedTimer timer(ledger_, "output");
+  const auto start = std::chrono::steady_clock::now();
   recorder_->flush();
-  write_checkpoint(folder_,
-                   {.simulation = simulation_.numbers(),
-                    .time_window = window_.state(),
-                    .statistics = statistics_.numbers(),
-                    .file_sizes = recorder_->sizes(),
-                    .participants = std::move(states)},
-                   scene::fingerprint(scene_));
-  log::debug("checkpoint after step {}", simulation_.steps());
+  output::sync_folder(folder_);
+  write_checkpoint(folder_, *resumable_);
+  log::debug("checkpoint after step {}", resumable_->simulation.at("steps").front());
+  resumable_.reset();  // it can be large
+  saved_ = std::chrono::steady_clock::now();
+  saving_takes_ = saved_ - start;
 }
 
 Standing Run::standing() const {

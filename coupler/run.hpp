@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -37,8 +38,8 @@ class Run {
   /// Configures the participants as the checkpoint has them and continues there.
   void resume(const Files& files, const Checkpoint& checkpoint);
 
-  /// To the end. Throws Error with the reason where that cannot be reached; results up to there are in the
-  /// files.
+  /// To the end, with a checkpoint there. Throws Error with the reason where that cannot be reached; results
+  /// up to there are in the files, and the last state that the run can be resumed from is a checkpoint.
   void march();
 
   const Simulation& simulation() const { return simulation_; }
@@ -59,6 +60,11 @@ class Run {
   [[noreturn]] void give_up(const std::string& reason);
   void record(double time, const Attempt& attempt, bool fields_due);
   void write_fields(double time);
+  void take_steps();
+  void keep_results();
+  bool is_resumable() const;
+  bool checkpoint_is_due() const;
+  Checkpoint state_now();
   void save_checkpoint();
   void report_progress();
 
@@ -70,7 +76,13 @@ class Run {
   coupling::TimeWindow window_;
   Statistics statistics_;
   Reported reported_;
+  Inputs inputs_;
   std::optional<Recorder> recorder_;
+  std::optional<Checkpoint>
+      resumable_;  ///< the last state that the run can be resumed from, unless it is on disk
+  std::chrono::steady_clock::time_point saved_ =
+      std::chrono::steady_clock::now();  ///< when one was written last
+  std::chrono::duration<double> saving_takes_{};
   std::optional<double> fields_time_;  ///< [s] of the last fields written
   bool fluid_has_fields_ = true, told_of_smallest_step_ = false;
   std::array<bool, 3> told_of_remedy_{};

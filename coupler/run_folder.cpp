@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <system_error>
 
 #include "core/error.hpp"
@@ -23,9 +22,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array results{"fields.h5",     "fields.xdmf",      "bodies.h5",
-                             "interface.h5",  "history.csv",      "summary.json",
-                             "checkpoint.h5", "final_bodies.csv", "left_bodies.csv"};
+/// The summary first: without it nothing is taken for a run that reached its end.
+constexpr std::array results{
+    "summary.json", "fields.h5",      "fields",        "fields.xdmf",      "bodies.h5",
+    "interface.h5", "interface",      "boundaries.h5", "boundaries",       "profiles.h5",
+    "profiles",     "history.csv",    "extrema.csv",   "final_bodies.csv", "left_bodies.csv",
+    "sections.csv", "velocities.csv", "grains.csv",    "checkpoint.bin",   "checkpoint.previous.bin"};
+constexpr const char* inputs_folder = "inputs";
 
 proto::Bytes read_bytes(const fs::path& path, const std::string& scene_file) {
   std::ifstream file(path, std::ios::binary);
@@ -36,27 +39,61 @@ proto::Bytes read_bytes(const fs::path& path, const std::string& scene_file) {
   return bytes;
 }
 
-/// Where the file is that the scene calls by this name.
-fs::path place_of(const std::string& name, const std::string& scene_file, const std::vector<Stage>& stages) {
+/// Where the file is that the scene calls by this name; nowhere where it is the end of a stage that is to be
+/// left out.
+std::string place_of(const std::string& name, const std::string& scene_file, const std::vector<Stage>& stages,
+                     Unready unready) {
   const auto stage = std::ranges::find(stages, name, &Stage::table);
-  return stage == stages.end() ? fs::path(scene_file).parent_path() / name : fs::path(table_of(*stage));
+  if (stage == stages.end()) return fs::path(scene_file).parent_path() / name;
+  return stage->ready || unready == Unready::refuse ? table_of(*stage) : "";
+}
+
+bool is_in(const fs::path& path, const std::string& folder) {
+  const fs::path way = fs::weakly_canonical(path).lexically_relative(fs::weakly_canonical(folder));
+  return !way.empty() && *way.begin() != "..";
 }
 
 }  // namespace
 
-Files read_files(StagedScene& staged, const std::string& scene_file) {
-  Files files;
-  std::map<std::string, fs::path> paths;
+std::vector<InputFile> find_files(StagedScene& staged, const std::string& scene_file, Unready unready) {
+  std::vector<InputFile> found;
   for (std::string* name : scene::file_names(staged.scene)) {
-    const fs::path path = place_of(*name, scene_file, staged.stages);
+    const std::string path = place_of(*name, scene_file, staged.stages, unready);
     *name = fs::path(*name).filename();
-    const auto [known, is_new] = paths.emplace(*name, path);
-    require(known->second == path,
-            "files with different names are required; {} names both {} and {}: rename one", scene_file,
-            known->second.string(), path.string());
-    if (is_new) files.push_back({*name, read_bytes(path, scene_file)});
+    if (path.empty()) continue;
+    const auto known = std::ranges::find(found, *name, &InputFile::name);
+    if (known == found.end()) {
+      found.push_back({*name, path});
+    } else {
+      require(known->path == path,
+              "files with different names are required; {} names both {} and {}: rename one", scene_file,
+              known->path, path);
+    }
   }
+  return found;
+}
+
+Files read_files(const std::vector<InputFile>& found, const std::string& scene_file) {
+  Files files;
+  for (const auto& [name, path] : found) files.push_back({name, read_bytes(path, scene_file)});
   return files;
+}
+
+Files read_files(StagedScene& staged, const std::string& scene_file) {
+  return read_files(find_files(staged, scene_file), scene_file);
+}
+
+void require_outside(const std::string& folder, const std::string& scene_file,
+                     const std::vector<InputFile>& found) {
+  const auto check = [&folder](const std::string& path) {
+    require(
+        !is_in(path, folder),
+        "a folder for results that holds no file which the run reads is required; {} is in {}: take another "
+        "folder",
+        path, folder);
+  };
+  check(scene_file);
+  for (const InputFile& file : found) check(file.path);
 }
 
 void make_folder(const std::string& folder) {
@@ -86,16 +123,30 @@ std::optional<RunOrigin> completed_run(const std::string& folder) {
   return origin_if_completed({std::istreambuf_iterator<char>(file), {}});
 }
 
-void fill_folder(const std::string& folder, const scene::Scene& scene, const Files& files) {
+void clear_folder(const std::string& folder) {
   for (const char* name : results) {
     std::error_code error;
-    fs::remove(fs::path(folder) / name, error);
+    fs::remove_all(fs::path(folder) / name, error);
     require(!error, "a folder that can be written is required; {}/{} cannot be removed: {}", folder, name,
             error.message());
   }
+}
+
+void remove_unfinished(const std::string& folder) {
+  std::vector<fs::path> unfinished;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == output::temporary_name("")) unfinished.push_back(entry.path());
+  for (const fs::path& path : unfinished) fs::remove(path);
+}
+
+void write_inputs(const std::string& folder, const scene::Scene& scene, const Files& files) {
+  const std::string inputs = fmt::format("{}/{}", folder, inputs_folder);
+  if (!files.empty()) make_folder(inputs);
   for (const auto& [name, bytes] : files)
-    output::replace_text(folder + "/" + name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  output::replace_text(folder + "/scene.toml", scene::write_text(scene));
+    output::replace_text(inputs + "/" + name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  scene::Scene as_run = scene;
+  for (std::string* name : scene::file_names(as_run)) *name = fmt::format("{}/{}", inputs_folder, *name);
+  output::replace_text(folder + "/scene.toml", scene::write_text(as_run));
 }
 
 }  // namespace fpi

@@ -1,7 +1,10 @@
 #include "session.hpp"
 
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -61,6 +64,28 @@ class ProgressPrinter {
   std::optional<Clock::time_point> last_;
 };
 
+bool sets(const std::vector<std::string>& overrides, std::string_view key) {
+  return std::ranges::any_of(
+      overrides, [key](const std::string& text) { return text.substr(0, text.find('=')) == key; });
+}
+
+/// All else that a scene says decided what a run has computed so far.
+void check_may_be_set(const std::vector<std::string>& overrides) {
+  constexpr std::array<std::string_view, 7> keys{"time.end",
+                                                 "output.checkpoint_interval",
+                                                 "coupling.participant_timeout",
+                                                 "fluid.command",
+                                                 "fluid.external",
+                                                 "dem.command",
+                                                 "dem.external"};
+  for (const std::string& text : overrides) {
+    const std::string key = text.substr(0, text.find('='));
+    require(std::ranges::find(keys, key) != keys.end(),
+            "a run is resumed with its own scene, of which only {} may be set; got {}: start a new run",
+            fmt::join(keys, ", "), key);
+  }
+}
+
 class Session {
  public:
   explicit Session(const SessionOptions& options) : options_(options) {}
@@ -75,9 +100,7 @@ class Session {
       begin();
       admit();
       march();
-      write_final_bodies(scene_, run_->simulation().state(), options_.folder);
-      summary_.status = "completed";
-      summary_.reason.clear();
+      reached_end_ = true;
     } catch (const proto::Interrupted&) {
       summary_.reason = "stopped by the user" + where_it_stands();
     } catch (const std::exception& e) {
@@ -89,16 +112,36 @@ class Session {
 
  private:
   void prepare() {
+    if (options_.resume) check_may_be_set(options_.overrides);
     const std::string file = options_.resume ? options_.folder + "/scene.toml" : options_.scene;
     StagedScene staged = read_staged(file, options_.overrides, options_.stages);
-    plan_ = make_plan(staged);
+    const std::vector<InputFile> found = find_files(staged, file);
+    if (!options_.resume) require_outside(options_.folder, file, found);
+    files_ = read_files(found, file);
+    plan_ = make_plan(staged, files_);
     summary_.origin = {version, plan_.scene_fingerprint};
-    files_ = read_files(staged, file);
     scene_ = std::move(staged.scene);
     grains::expand(scene_, [this](const std::string& name) { return proto::content(files_, name); });
-    if (!options_.resume) return;
-    require(!completed_run(options_.folder), "nothing to resume: the run reached its end");
-    checkpoint_ = read_checkpoint(options_.folder, plan_.scene_fingerprint);
+    if (options_.resume) find_checkpoint();
+  }
+
+  /// The one to continue from; none where the run had not come so far, and begins anew.
+  void find_checkpoint() {
+    const bool completed = completed_run(options_.folder).has_value(),
+               extends = sets(options_.overrides, "time.end");
+    require(!completed || extends,
+            "nothing to resume: the run reached its end; --set time.end=… with a later end extends it");
+    require(has_checkpoint(options_.folder) || !completed,
+            "a checkpoint is required to extend a run; {} has none", options_.folder);
+    if (!has_checkpoint(options_.folder)) return;
+    const Inputs inputs = inputs_up_to_any_end(scene_, files_);
+    checkpoint_ = read_checkpoint(options_.folder, inputs);
+    if (checkpoint_->time < scene_.time.end) return;
+    require(!extends, "time.end must be later than t = {} s, which the run has come to; got {} s",
+            checkpoint_->time, scene_.time.end);
+    // It was stopped after its last step, before its figures were written: they come with its last steps.
+    checkpoint_ = read_previous_checkpoint(options_.folder, inputs);
+    uses_previous_ = true;
   }
 
   void open_address() {
@@ -113,12 +156,16 @@ class Session {
 
   /// From here on the folder tells of this run.
   void begin() {
-    if (!options_.resume) fill_folder(options_.folder, scene_, files_);
+    if (uses_previous_) discard_newest_checkpoint(options_.folder);
+    if (!checkpoint_) clear_folder(options_.folder);
+    remove_unfinished(options_.folder);
+    write_inputs(options_.folder, scene_, files_);
     began_ = true;
     // Should this process be killed, this is what the folder says.
     summary_.reason = "the run is under way, or it ended without a word";
     write_summary();
-    log::info("{}: {}", options_.resume ? "resuming" : "starting", scene_.title);
+    log::info("{}: {}", checkpoint_ ? "resuming" : "starting", scene_.title);
+    if (options_.resume && !checkpoint_) log::warning("there is no checkpoint yet: the run begins anew");
     for (const std::string& line : grains::describe(scene_)) log::info("{}", line);
     warn_of_stretch();
   }
@@ -153,15 +200,18 @@ class Session {
                                     .dem = dem_ ? &*dem_ : nullptr,
                                     .fluid_moves_bodies = offered_.contains("balance"),
                                     .dem_takes_added_inertia = offered_.contains("added_inertia"),
-                                    .dem_takes_resistance = offered_.contains("resistance")};
+                                    .dem_takes_resistance = offered_.contains("resistance"),
+                                    .save_their_state = all_save_};
     run_ = std::make_unique<Run>(scene_, participants, options_.folder, number_, ledger_);
     run_->on_progress = ProgressPrinter();
   }
 
-  void check_hello(const proto::Hello& hello) const {
+  void check_hello(const proto::Hello& hello) {
     log::info("{}: {} {}", hello.role, hello.program, hello.program_version);
     const bool can_save = std::ranges::find(hello.capabilities, "checkpoint") != hello.capabilities.end();
-    require(can_save || (scene_.output.checkpoint_every == 0 && !options_.resume),
+    if (!can_save) log::info("{} offers no checkpoints: none are written", hello.program);
+    all_save_ = all_save_ && can_save;
+    require(can_save || (scene_.output.checkpoint_every == 0 && !checkpoint_),
             "a checkpoint needs every participant to offer it; {} ({}) does not: set output.checkpoint_every "
             "= 0 or "
             "use another program",
@@ -182,27 +232,53 @@ class Session {
   std::string where_it_stands() const {
     if (!run_) return "";
     const Standing s = run_->standing();
-    return fmt::format(" (at step {} of about {}, t = {} s of {} s; results up to there are kept)", s.step,
-                       s.steps, s.time, s.end);
+    const std::string further =
+        has_checkpoint(options_.folder)
+            ? fmt::format("; `./fpi resume {}` continues from the last checkpoint", options_.folder)
+            : "";
+    return fmt::format(" (at step {} of about {}, t = {} s of {} s; results up to there are kept{})", s.step,
+                       s.steps, s.time, s.end, further);
   }
 
   void finish() {
-    if (summary_.status != "completed") log::error("{}", summary_.reason);
+    if (!reached_end_) log::error("{}", summary_.reason);
     if (options_.resume && !began_) return;  // refused: the summary is still that of the run before
     if (host_) {
-      const std::string goodbye = summary_.status == "completed" ? "the run is complete" : summary_.reason;
+      const std::string goodbye = reached_end_ ? "the run is complete" : summary_.reason;
       for (auto& [role, figures] : host_->dismiss(goodbye)) summary_.figures[role] = std::move(figures);
     }
     try {
-      if (run_) collect_results();
-      write_summary();
+      close_folder();
     } catch (const std::exception& e) {
-      log::error("the summary could not be written: {}", e.what());
+      log::error("the results could not be completed: {}", e.what());
+      if (reached_end_) summary_.reason = e.what();
+      summary_.status = "failed";
+      write_failure();
     }
     log::info("{} after {} steps: {:.3g} s, of which coupling {:.3g} s and output {:.3g} s", summary_.status,
               summary_.statistics.steps(), summary_.wall_total, summary_.wall_coupling, summary_.wall_output);
     for (const std::string& line : coupling_table(summary_)) log::info("{}", line);
     log::flush();
+  }
+
+  /// A run is completed once all its results are on the disk; nothing is written after the word that says so.
+  void close_folder() {
+    if (run_) collect_results();
+    if (reached_end_) {
+      write_final_bodies(scene_, run_->simulation().state(), options_.folder);
+      output::sync_folder(options_.folder);
+      summary_.status = "completed";
+      summary_.reason.clear();
+    }
+    write_summary();
+  }
+
+  void write_failure() {
+    try {
+      write_summary();
+    } catch (const std::exception& e) {
+      log::error("the summary could not be written: {}", e.what());
+    }
   }
 
   void collect_results() {
@@ -255,7 +331,7 @@ class Session {
   Plan plan_;
   const std::uint64_t number_ = random_run_number();
   std::optional<Checkpoint> checkpoint_;  ///< to resume from
-  bool began_ = false;
+  bool uses_previous_ = false, began_ = false, reached_end_ = false, all_save_ = true;
   Files files_;
   std::unique_ptr<proto::Host> host_;
   std::set<std::string> offered_;  ///< capabilities of all participants

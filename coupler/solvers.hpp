@@ -23,6 +23,7 @@ struct Participants {
   bool fluid_moves_bodies = false;       ///< by balances sent to it (capability "balance")
   bool dem_takes_added_inertia = false;  ///< capability "added_inertia"
   bool dem_takes_resistance = false;     ///< capability "resistance"
+  bool save_their_state = true;          ///< capability "checkpoint" of all
 };
 
 /// The contents of all files that the scene names.

@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "end_state.hpp"
+#include "inputs.hpp"
 #include "run_folder.hpp"
 
 namespace fpi {
@@ -23,7 +24,10 @@ Stage stage_of(const fs::path& scene_file, const fs::path& stages_folder) {
       "a scene that others take their grains from must place its own; {} takes its from another: settle them "
       "there",
       stage.scene);
-  stage.ready = completed_run(stage.folder) == RunOrigin{version, scene::fingerprint(scene)};
+  StagedScene placed{.scene = scene, .stages = {}};
+  const Files files = read_files(placed, stage.scene);
+  stage.ready =
+      completed_run(stage.folder) == RunOrigin{version, fingerprint(inputs_of(placed.scene, files))};
   return stage;
 }
 

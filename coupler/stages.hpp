@@ -13,7 +13,7 @@ namespace fpi {
 /// What a run was made of and by.
 struct RunOrigin {
   std::string version;                  ///< of this program
-  std::uint64_t scene_fingerprint = 0;  ///< see scene::fingerprint
+  std::uint64_t scene_fingerprint = 0;  ///< of the scene and its files, see inputs.hpp
   bool operator==(const RunOrigin&) const = default;
 };
 

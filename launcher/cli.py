@@ -33,9 +33,11 @@ def parser() -> argparse.ArgumentParser:
         sub.set_defaults(do=do)
         if scene:
             sub.add_argument("scene", metavar="SCENE", help="a scene file, or the name of one in configs/")
-            sub.add_argument("--set", dest="overrides", metavar="KEY=VALUE", action="append", default=[],
-                             help="replaces a value of the scene, e.g. fluid.density=998 or bodies.0.radius=0.01")
+            set_option(sub, "replaces a value of the scene, e.g. fluid.density=998 or bodies.0.radius=0.01")
         return sub
+
+    def set_option(sub, text):
+        sub.add_argument("--set", dest="overrides", metavar="KEY=VALUE", action="append", default=[], help=text)
 
     def script_options(sub):
         sub.add_argument("--quiet", action="store_true", help="print errors only")
@@ -54,6 +56,7 @@ def parser() -> argparse.ArgumentParser:
     word("check", do_check, "read and check a scene without running it", scene=True)
     resuming = word("resume", do_resume, "continue a run from its last checkpoint")
     resuming.add_argument("run", type=Path, metavar="RUN", help="the run folder")
+    set_option(resuming, "a later end, time.end=…, extends a run, finished or not; the values that decided its results stay")
     script_options(resuming)
     plotting = word("plot", do_plot, "draw the results of a run")
     plotting.add_argument("run", type=Path, metavar="RUN", help="the run folder")
@@ -110,6 +113,8 @@ def do_run(arguments) -> int:
     status = run_stages(plan, arguments)
     if status != 0:
         return status
+    if not all(stage["ready"] for stage in plan["stages"]):
+        plan = run.plan(scene, arguments.overrides)  # what the stages ended with is part of its fingerprint
     folder = run.new_folder(arguments.out, scene)
     return execute(run.Request(scene, folder, arguments.overrides), plan, arguments)
 
@@ -133,7 +138,8 @@ def do_resume(arguments) -> int:
     scene = arguments.run / "scene.toml"
     if not scene.is_file():
         raise Refusal(f"a run folder with its scene.toml is required; there is none in {arguments.run}")
-    return execute(run.Request(scene, arguments.run, resume=True), run.plan(scene, []), arguments)
+    request = run.Request(scene, arguments.run, arguments.overrides, resume=True)
+    return execute(request, run.plan(scene, arguments.overrides), arguments)
 
 
 def do_sweep(arguments) -> int:

@@ -23,13 +23,18 @@ FILES = {
     "sections.csv": "means over slabs across the flow",
     "velocities.csv": "how the fluid's velocities are distributed",
     "grains.csv": "drag, lift and torque of every body",
-    "checkpoint.h5": "where `./fpi resume` continues",
+    "checkpoint.bin": "where `./fpi resume` continues",
+    "checkpoint.previous.bin": "the checkpoint before it, should it be damaged",
     "coupler.log": "what the coupler did",
     "fluid_server.log": "what the fluid did",
     "dem_server.log": "what the grains did",
     "fluid_server.out": "what the program printed outside its log",
     "dem_server.out": "what the program printed outside its log",
 }
+
+
+def has_checkpoint(run: Path) -> bool:
+    return any(run.glob("checkpoint*.bin"))
 
 
 def summary_of(run: Path) -> dict | None:

@@ -250,8 +250,8 @@ def read_history(run: Path) -> dict[str, np.ndarray]:
     path = run / "history.csv"
     if not path.exists():
         return {}
-    with reading(path), path.open(newline="") as file:
-        header, *rows = csv.reader(file)
-        # a run that was killed may leave half a line
-        values = np.array([[float(cell) for cell in row] for row in rows if len(row) == len(header)])
+    with reading(path):
+        whole_lines = path.read_text().rpartition("\n")[0]  # a run under way, or one that was killed, may leave half a line
+        header, *rows = csv.reader(whole_lines.splitlines())
+        values = np.array([[float(cell) for cell in row] for row in rows])
         return dict(zip(header, values.reshape(-1, len(header)).T))

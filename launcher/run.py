@@ -14,6 +14,7 @@ from pathlib import Path
 from launcher.common import Refusal, program
 from launcher.display import Display
 from launcher.processes import Child, describe, end_all
+from launcher.report import has_checkpoint
 
 OURS = {"fluid": "fluid_server", "dem": "dem_server"}
 PATIENCE = 3.0  # [s] for participants after the goodbye
@@ -109,14 +110,15 @@ class Run:
         if status is None or status >= 0:
             return ""
         words = "stopped by the user at once" if self.stopped_at_once else f"coupler was killed by {describe(status)}"
-        if (self.request.folder / "checkpoint.h5").exists():
+        if has_checkpoint(self.request.folder):
             words += f"; `./fpi resume {self.request.folder}` continues from the last checkpoint"
         return words
 
     def coupler_command(self) -> list[str]:
         request = self.request
         command = [str(program("coupler")), "--out", str(request.folder), "--watch-stdin"]
-        command += ["--resume"] if request.resume else ["--scene", str(request.scene), *set_options(request.overrides)]
+        command += ["--resume"] if request.resume else ["--scene", str(request.scene)]
+        command += set_options(request.overrides)
         if request.listen:
             command += ["--listen", request.listen]
         if request.keys:

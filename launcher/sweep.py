@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from launcher import report
 from launcher.common import Refusal
 
 GROUPS = ("drives", "coefficients", "probes", "percolation")  # of summary.json, whose figures get a column
@@ -89,7 +90,7 @@ def state_of(folder: Path, fingerprint_of, wanted: int) -> str:
         status = ""
     if status == "completed":
         return "done"
-    return "begun" if (folder / "checkpoint.h5").exists() else "new"
+    return "begun" if report.has_checkpoint(folder) else "new"
 
 
 def figures(summary: dict) -> dict[str, float]:

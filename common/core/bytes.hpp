@@ -28,6 +28,11 @@ class ByteWriter {
   void put(std::span<const double> values) {
     for (const double value : values) put(value);
   }
+  /// With its length before it.
+  void put_sized(std::span<const std::uint8_t> block) {
+    put(static_cast<std::uint64_t>(block.size()));
+    bytes.insert(bytes.end(), block.begin(), block.end());
+  }
   std::vector<std::uint8_t> bytes;
 };
 
@@ -53,6 +58,14 @@ class ByteReader {
   }
   void numbers(std::span<double> values) {
     for (double& value : values) value = number();
+  }
+  /// What `put_sized` wrote.
+  std::span<const std::uint8_t> sized() {
+    const auto size = get<std::uint64_t>();
+    require(bytes_.size() >= size, "{} ends too early: take another checkpoint", what_);
+    const auto block = bytes_.first(size);
+    bytes_ = bytes_.subspan(size);
+    return block;
   }
   std::size_t left() const { return bytes_.size(); }
 

@@ -11,7 +11,8 @@
 
 namespace fpi::output {
 
-/// One body at one time, NaN where it is no longer there; z components are zero in the plane, except of spin and torque.
+/// One body at one time, NaN where it is no longer there; z components are zero in the plane, except of spin
+/// and torque.
 struct BodyRow {
   std::array<double, 3> position{};  ///< [m]
   std::array<double, 3> rotation{};  ///< from the start: axis times angle, −π to π [rad]
@@ -21,6 +22,8 @@ struct BodyRow {
   std::array<double, 3> torque{};    ///< [N m] from the fluid, about the centre
 };
 
+/// The file is replaced by one with more rows once a second, less often where it is so large that this would
+/// take more than a hundredth of the time.
 class BodyWriter {
  public:
   /// A new file; at least one body.
@@ -29,16 +32,18 @@ class BodyWriter {
   /// Continues the file in `folder` after its first `kept` rows.
   BodyWriter(const std::string& folder, std::size_t kept);
 
-  /// Adds a row; all rows older than a second are in the file, whatever happens to this process.
+  /// Adds a row, which is in the file after the next flush, or before.
   void append(double time, std::span<const BodyRow> bodies);
   /// Brings all rows into the file.
   void flush();
-  std::size_t size() const { return rows_; }
+  std::size_t size() const { return in_file_ + times_.size(); }
 
  private:
-  H5File file_;
-  std::size_t rows_ = 0;
-  std::chrono::steady_clock::time_point flushed_{};
+  std::string path_;
+  std::size_t in_file_ = 0;
+  std::vector<double> times_;  ///< [s] of the rows that are not in the file
+  std::vector<BodyRow> rows_;  ///< of all bodies at each of these times
+  std::chrono::steady_clock::time_point next_flush_{};
 };
 
 }  // namespace fpi::output

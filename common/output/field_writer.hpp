@@ -1,5 +1,5 @@
 /// fields.h5 and fields.xdmf: the fluid's mesh once, its fields at every written step. ParaView opens the
-/// .xdmf, which names the arrays of the .h5 beside it.
+/// .xdmf, which names the arrays of the .h5 beside it, at any moment of a run.
 #pragma once
 
 #include <cstdint>

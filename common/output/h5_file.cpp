@@ -3,8 +3,10 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <numeric>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 
@@ -15,7 +17,7 @@ namespace {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>);
 
-constexpr std::size_t chunk_bytes = 16384;  ///< of arrays that grow; each flush writes the last chunk again
+constexpr std::size_t chunk_bytes = 16384;  ///< of arrays that grow
 
 /// Owns one HDF5 handle of any kind.
 class Handle {
@@ -33,9 +35,12 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-/// Errors are reported by us, in one sentence, not by HDF5's stack on the terminal.
-void silence_library() {
-  [[maybe_unused]] static const herr_t once = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+/// Errors are reported by us, in one sentence, not by HDF5's stack on the terminal. At the end of the process
+/// nothing is left to close: files that could not be, on a full disk, would be tried once more, which HDF5
+/// does not survive.
+void prepare_library() {
+  [[maybe_unused]] static const bool once =
+      H5dont_atexit() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
 }
 
 std::vector<hsize_t> to_hsize(const Shape& shape) { return {shape.begin(), shape.end()}; }
@@ -63,27 +68,29 @@ hid_t variable_text() {
 
 }  // namespace
 
-H5File H5File::create(const std::string& path) {
-  silence_library();
-  H5File file(path, H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+H5File H5File::replacing(const std::string& path) {
+  prepare_library();
+  H5File file(path, H5Fcreate(temporary_name(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   require(file.id_ >= 0,
           "a folder that can be written is required for {}; got a refusal: check permissions, free space and "
-          "that "
-          "no other run writes there",
+          "that no other run writes there",
           path);
   return file;
 }
 
-H5File H5File::edit(const std::string& path) {
-  silence_library();
-  H5File file(path, H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
-  require(file.id_ >= 0, "a whole HDF5 file that can be written is required at {}; it cannot be opened",
-          path);
+H5File H5File::revising(const std::string& path) {
+  prepare_library();
+  const std::string copy = temporary_name(path);
+  std::error_code error;
+  std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing, error);
+  require(!error, "a file that can be copied is required at {}: {}", path, error.message());
+  H5File file(path, H5Fopen(copy.c_str(), H5F_ACC_RDWR, H5P_DEFAULT));
+  require(file.id_ >= 0, "a whole HDF5 file is required at {}; it is damaged", path);
   return file;
 }
 
 H5File H5File::read(const std::string& path) {
-  silence_library();
+  prepare_library();
   H5File file(path, H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
   require(file.id_ >= 0, "a whole HDF5 file is required at {}; it is missing or damaged", path);
   return file;
@@ -97,6 +104,13 @@ H5File& H5File::operator=(H5File&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(id_, other.id_);
   return *this;
+}
+
+void H5File::publish(Durable durable) {
+  // A failure to close comes back as a status once the file is flushed.
+  checked(H5Fflush(id_, H5F_SCOPE_LOCAL), "flush", "/");
+  checked(H5Fclose(std::exchange(id_, -1)), "close", "/");
+  replace_file(path_, durable);
 }
 
 void H5File::failed(const char* what, const std::string& name) const {
@@ -140,14 +154,16 @@ void H5File::write(const std::string& name, const std::vector<std::string>& text
   write_array(name, type, pointers.data(), pointers.size(), {pointers.size()});
 }
 
-void H5File::append(const std::string& name, std::span<const double> row, const Shape& row_shape) {
+void H5File::append(const std::string& name, std::span<const double> rows, const Shape& row_shape) {
+  const std::size_t width = product(row_shape), added = width == 0 ? 0 : rows.size() / width;
+  require(added * width == rows.size(), "rows of {} values are required for {} of {}; got {} values", width,
+          name, path_, rows.size());
   std::vector<hsize_t> size{0};
   size.insert(size.end(), row_shape.begin(), row_shape.end());
   if (!has(name)) {
     std::vector<hsize_t> most = size, chunk = size;
     most[0] = H5S_UNLIMITED;
-    chunk[0] =
-        std::max<hsize_t>(1, chunk_bytes / sizeof(double) / std::max<std::size_t>(1, product(row_shape)));
+    chunk[0] = std::max<hsize_t>(1, chunk_bytes / sizeof(double) / std::max<std::size_t>(1, width));
     const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), most.data()), H5Sclose);
     const Handle layout(dataset_without_times(), H5Pclose);
     checked(H5Pset_chunk(layout, static_cast<int>(chunk.size()), chunk.data()), "chunk", name);
@@ -156,19 +172,17 @@ void H5File::append(const std::string& name, std::span<const double> row, const 
                       H5Dclose);
     checked(made, "create", name);
   }
-  const std::size_t rows = shape(name)[0];
-  resize(name, rows + 1);
+  const std::size_t before = shape(name)[0];
+  resize(name, before + added);
   const Handle set(checked(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), "open", name), H5Dclose);
   const Handle in_file(H5Dget_space(set), H5Sclose);
   std::vector<hsize_t> start(size.size(), 0);
-  start[0] = rows;
-  size[0] = 1;
+  start[0] = before;
+  size[0] = added;
   checked(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr), "extend",
           name);
   const Handle in_memory(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
-  require(row.size() == product(row_shape), "a row of {} values is required for {} of {}; got {}",
-          product(row_shape), name, path_, row.size());
-  checked(H5Dwrite(set, H5T_NATIVE_DOUBLE, in_memory, in_file, H5P_DEFAULT, row.data()), "write", name);
+  checked(H5Dwrite(set, H5T_NATIVE_DOUBLE, in_memory, in_file, H5P_DEFAULT, rows.data()), "write", name);
 }
 
 void H5File::keep_rows(const std::string& name, std::size_t rows) {
@@ -186,20 +200,18 @@ void H5File::resize(const std::string& name, std::size_t rows) {
   checked(H5Dset_extent(set, size.data()), "resize", name);
 }
 
-void H5File::make_group(const std::string& name, const std::string& attribute, double value) {
-  const Handle links(create_missing_groups(), H5Pclose);
-  const Handle group(checked(H5Gcreate2(id_, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), "create", name),
-                     H5Gclose);
+void H5File::mark(const std::string& group, const std::string& attribute, double value) {
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle mark(
-      checked(H5Acreate2(group, attribute.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT),
-              "mark", name),
-      H5Aclose);
-  checked(H5Awrite(mark, H5T_NATIVE_DOUBLE, &value), "mark", name);
+  const Handle mark(checked(H5Acreate_by_name(id_, group.c_str(), attribute.c_str(), H5T_NATIVE_DOUBLE, space,
+                                              H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                            "mark", group),
+                    H5Aclose);
+  checked(H5Awrite(mark, H5T_NATIVE_DOUBLE, &value), "mark", group);
 }
 
-void H5File::remove(const std::string& name) {
-  checked(H5Ldelete(id_, name.c_str(), H5P_DEFAULT), "remove", name);
+void H5File::link(const std::string& name, const std::string& file) {
+  const Handle links(create_missing_groups(), H5Pclose);
+  checked(H5Lcreate_external(file.c_str(), "/", id_, name.c_str(), links, H5P_DEFAULT), "link", name);
 }
 
 bool H5File::has(const std::string& name) const {
@@ -263,7 +275,5 @@ std::vector<std::string> H5File::texts(const std::string& name) const {
   for (char* pointer : pointers) H5free_memory(pointer);
   return texts;
 }
-
-void H5File::flush() { checked(H5Fflush(id_, H5F_SCOPE_LOCAL), "flush", "/"); }
 
 }  // namespace fpi::output

@@ -1,11 +1,15 @@
-/// An HDF5 file in the few words that the results need: whole arrays, arrays that grow by rows, and marks on
-/// groups. Every status code of the library is checked; what fails says which file and which object.
+/// An HDF5 file in the few words that the results need: whole arrays, arrays that grow by rows, marks on
+/// groups, and links to other files. Every status code of the library is checked; what fails says which file
+/// and which object. A file that has its name never changes any more: it is replaced by a new or a revised
+/// one, so that it can be read at any moment, whatever crashes.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "output/replace.hpp"
 
 namespace fpi::output {
 
@@ -16,14 +20,17 @@ using Shape = std::vector<std::size_t>;
 /// described.
 class H5File {
  public:
-  static H5File create(const std::string& path);  ///< replaces a file that is there
-  static H5File edit(const std::string& path);    ///< opens to read and write
-  static H5File read(const std::string& path);    ///< opens to read
+  static H5File replacing(const std::string& path);  ///< an empty file, to be published at `path`
+  static H5File revising(
+      const std::string& path);  ///< a copy of the file there, to be published in its place
+  static H5File read(const std::string& path);
   ~H5File();
   H5File(H5File&&) noexcept;
   H5File& operator=(H5File&&) noexcept;
 
   const std::string& path() const { return path_; }
+  /// Closes the file and gives it its name. Without it, what was written is lost.
+  void publish(Durable durable);
 
   /// Writes a new array; `shape` multiplies to the number of values, row-major.
   void write(const std::string& name, std::span<const double> values, const Shape& shape);
@@ -31,15 +38,16 @@ class H5File {
   void write(const std::string& name, std::span<const std::uint8_t> bytes);
   void write(const std::string& name, const std::vector<std::string>& texts);
 
-  /// Adds one row to an array that grows along its first index; the first call makes it.
-  /// `row_shape` is the shape of a row: {} for a number.
-  void append(const std::string& name, std::span<const double> row, const Shape& row_shape);
+  /// Adds rows to an array that grows along its first index; the first call makes it. `row_shape` is the
+  /// shape of a row: {} for a number.
+  void append(const std::string& name, std::span<const double> rows, const Shape& row_shape);
   /// Keeps the first `rows` rows of such an array, which must have as many.
   void keep_rows(const std::string& name, std::size_t rows);
 
-  /// Makes a group and marks it with a number.
-  void make_group(const std::string& name, const std::string& attribute, double value);
-  void remove(const std::string& name);
+  /// Marks a group ("/": the file) with a number.
+  void mark(const std::string& group, const std::string& attribute, double value);
+  /// Makes a group that is the top group of another file, named as seen from the folder of this one.
+  void link(const std::string& name, const std::string& file);
 
   bool has(const std::string& name) const;
   std::vector<std::string> list(const std::string& group) const;  ///< names in the group, in order
@@ -49,9 +57,6 @@ class H5File {
   std::vector<std::uint32_t> indices(const std::string& name) const;
   std::vector<std::uint8_t> bytes(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
-
-  /// Hands all to the operating system: from here on the file outlives a crash of this process.
-  void flush();
 
  private:
   H5File(std::string path, std::int64_t id) : path_(std::move(path)), id_(id) {}

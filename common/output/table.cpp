@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "output/replace.hpp"
 
 namespace fpi::output {
 namespace {
@@ -56,10 +57,21 @@ void Table::write_line(const std::string& line) {
           path_);
 }
 
+void write_table(const std::string& path, const std::vector<std::string>& columns,
+                 std::span<const double> values) {
+  require(!columns.empty() && values.size() % columns.size() == 0,
+          "lines of as many numbers as there are columns are required for {}; got {} numbers for {} columns",
+          path, values.size(), columns.size());
+  std::string text = fmt::format("{}\n", fmt::join(columns, ","));
+  for (std::size_t row = 0; row < values.size(); row += columns.size())
+    text += fmt::format("{}\n", fmt::join(values.subspan(row, columns.size()), ","));
+  replace_text(path, text);
+}
+
 Columns read_columns(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string line;
-  require(static_cast<bool>(std::getline(file, line)), "a table with a header is required in {}; got none",
+  require(std::getline(file, line) && !file.eof(), "a table with a header is required in {}; got none",
           path);
   const std::vector<std::string> names = split(line);
   Columns columns;

@@ -29,6 +29,10 @@ class Table {
   std::size_t rows_ = 0;
 };
 
+/// Writes a whole table, `values` line by line, in the place of one that may be there. Throws Error.
+void write_table(const std::string& path, const std::vector<std::string>& columns,
+                 std::span<const double> values);
+
 /// The numbers of a table by column.
 using Columns = std::map<std::string, std::vector<double>>;
 

@@ -99,6 +99,17 @@ std::vector<std::string*> file_names(Scene& scene) {
   return names;
 }
 
-std::uint64_t fingerprint(const Scene& scene) { return fnv1a(write_text(scene)); }
+std::uint64_t fingerprint(const Scene& scene) {
+  Scene decisive = scene;
+  decisive.title.clear();
+  decisive.source.clear();
+  decisive.expected.clear();
+  if (decisive.fluid) decisive.fluid->launch = {};
+  if (!decisive.dem) decisive.dem.emplace();
+  decisive.dem->launch = {};
+  decisive.coupling.participant_timeout = Coupling().participant_timeout;
+  decisive.output.checkpoint_interval = Output().checkpoint_interval;
+  return fnv1a(write_text(decisive));
+}
 
 }  // namespace fpi::scene

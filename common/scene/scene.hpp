@@ -75,15 +75,31 @@ struct Output {
   double interval = 0;  ///< [s] of fields; 0: first and last only
   bool fields = true;
   std::int64_t checkpoint_every = 0;
+  double checkpoint_interval = 60;     ///< [s] of wall time
   std::optional<double> measure_from;  ///< [s]
   double onset = 0;                    ///< of the diameter
+
+  static constexpr std::int64_t steps_between_states = 25;
+  /// After how many steps a run can be resumed each time; 0: never.
+  std::int64_t resumable_every() const {
+    if (checkpoint_every > 0) return checkpoint_every;
+    return checkpoint_interval > 0 ? steps_between_states : 0;
+  }
 
   void declare(ParameterVisitor& v) {
     v.real({"interval", "s", "time between written fields; 0: the first and the last only"}, interval,
            not_negative());
     v.boolean({"fields", "", "false: no fields are gathered, sent or written"}, fields);
-    v.integer({"checkpoint_every", "steps", "steps between checkpoints of all participants; 0: none"},
+    v.integer({"checkpoint_every", "steps",
+               "steps between checkpoints of all participants; 0: the state after every 25th step is one, "
+               "and is written "
+               "when checkpoint_interval says so, or when the run is stopped"},
               checkpoint_every, between(0, 1e9));
+    v.real({"checkpoint_interval", "s",
+            "wall time between written checkpoints where checkpoint_every is 0; longer where writing them "
+            "would take more "
+            "than a hundredth of the time; 0: none"},
+           checkpoint_interval, not_negative());
     v.real(
         {"measure_from", "s",
          "extrema, means and frequencies of coefficients and probes are those from this time on; none: the "
@@ -215,7 +231,8 @@ std::string write_text(const Scene& scene);
 Scene part_of(Part part, const Scene& scene);
 /// The keys that name files, those left empty apart: the contents go beside the scene.
 std::vector<std::string*> file_names(Scene& scene);
-/// FNV-1a hash of `write_text`.
+/// FNV-1a hash of `write_text`, but for what has no bearing on the result: texts for the reader, who starts
+/// the programs, and wall times.
 std::uint64_t fingerprint(const Scene& scene);
 /// All parameters with unit, bounds, default and sentence, as Markdown (docs/scene_reference.md).
 std::string reference();

@@ -119,6 +119,7 @@ void TimeWindow::set_state(std::span<const double> state) {
   step_ = state[5];
   taken_ = static_cast<std::int64_t>(state[6]);
   count_ = static_cast<std::int64_t>(state[7]);
+  if (taken_ == count_ && start() < end_) plan(start());  // the end was put off
 }
 
 }  // namespace fpi::coupling

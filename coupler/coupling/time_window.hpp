@@ -57,6 +57,7 @@ class TimeWindow {
   bool halve();
 
   std::vector<double> state() const;
+  /// Of a window that may have ended earlier.
   void set_state(std::span<const double> state);
 
  private:

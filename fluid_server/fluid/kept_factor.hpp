@@ -15,10 +15,14 @@ class KeptFactor {
   /// Takes what an accepted step ended with.
   void take(const Corrector& corrector);
   void drop() { *this = {}; }
+  /// From here on the next step is as if there were no factor: only one that it would make again, to the bit,
+  /// is lent.
+  void forget() { is_forgotten_ = true; }
 
  private:
   Corrector corrector_;
   unsigned steps_ = 0;  // that its background has served
+  bool is_forgotten_ = false;
 };
 
 }  // namespace fpi::fluid

@@ -301,11 +301,12 @@ void NavierStokes::set_state(State state) {
   accepted_interfaces_.clear();
   boundary_tractions_.clear();
   last_.reset();
+  kept_.drop();
   drop_caches();
 }
 
 void NavierStokes::drop_caches() {
-  kept_.drop();
+  kept_.forget();
   base_.corrector = current_.corrector = {};
 }
 

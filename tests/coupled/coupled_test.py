@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from harness import DRUM_SCENE, EXIT_SCENE, SETTLING_SCENE, CoupledRun, channel_scene, interrupt, run_coupler, toy_scene
+from harness import BIN, DRUM_SCENE, EXIT_SCENE, SETTLING_SCENE, CoupledRun, arrays_of, channel_scene, interrupt, run_coupler, toy_scene
 
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
 KEYS = {"status", "reason", "steps", "steps_before", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
@@ -119,7 +119,7 @@ class Coupled(unittest.TestCase):
         with CoupledRun(self.folder / "whole", scene) as whole:
             self.assertEqual(whole.wait(), 0, whole.log())
         with CoupledRun(self.folder, scene) as run:
-            run.wait_for(lambda: (run.out / "checkpoint.h5").exists())
+            run.wait_for(lambda: (run.out / "checkpoint.bin").exists())
             run.coupler.kill()
             run.wait()
             self.assertEqual(run.summary["status"], "failed")
@@ -127,9 +127,151 @@ class Coupled(unittest.TestCase):
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertEqual((run.out / "history.csv").read_bytes(), (whole.out / "history.csv").read_bytes())
 
+    def test_a_stopped_run_resumes_to_the_same_bits_whatever_its_scene_says_of_checkpoints(self):
+        scene = toy_scene(step=1e-3)
+        with CoupledRun(self.folder / "whole", scene) as whole:
+            self.assertEqual(whole.wait(), 0, whole.log())
+        with CoupledRun(self.folder, scene) as run:
+            run.wait_for_step(60)
+            interrupt(run.coupler)
+            self.assertEqual(run.wait(), 1)
+        self.assertRegex(run.summary["reason"], "stopped by the user .*`./fpi resume .*/run` continues")
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+        self.assertRegex(resumed.log(), "resumed after step (50|75)")
+        self.assertEqual((run.out / "history.csv").read_bytes(), (whole.out / "history.csv").read_bytes())
+        self.assertEqual(run.arrays, whole.arrays)
+
+    def test_a_run_stopped_before_its_first_checkpoint_begins_anew(self):
+        with CoupledRun(self.folder, toy_scene(step=1e-3)) as run:
+            run.wait_for_step(3)
+            run.coupler.kill()
+            run.wait()
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+        self.assertIn("the run begins anew", resumed.log())
+        self.assertEqual(resumed.summary["steps"], 100)
+
+    def test_a_run_that_died_after_its_last_step_is_completed_with_all_its_figures(self):
+        run = self.run_toy(checkpoint_every=6)
+        figures = {key: run.summary[key] for key in ("steps", "bodies", "sub_iterations")}
+        (run.out / "summary.json").unlink()
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+        self.assertEqual({key: resumed.summary[key] for key in figures}, figures)
+
+    def test_a_finished_run_is_extended_to_the_bits_of_the_longer_run(self):
+        with CoupledRun(self.folder / "whole", toy_scene(end=0.2, checkpoint_every=4)) as whole:
+            self.assertEqual(whole.wait(), 0, whole.log())
+        run = self.run_toy(end=0.1, checkpoint_every=4)
+        with CoupledRun(self.folder, None, resume=True, extra=["--set=time.end=0.2"]) as longer:
+            self.assertEqual(longer.wait(), 0, longer.log())
+        self.assertEqual((run.out / "history.csv").read_bytes(), (whole.out / "history.csv").read_bytes())
+        self.assertEqual(run.arrays, whole.arrays)
+        self.assertEqual(run.summary["steps"], 40)
+        self.assertEqual((run.out / "scene.toml").read_bytes(), (whole.out / "scene.toml").read_bytes())
+
+    def test_a_damaged_checkpoint_is_replaced_by_the_one_before_with_a_word(self):
+        run = self.run_toy(checkpoint_every=6)
+        history = (run.out / "history.csv").read_bytes()
+        run.forget_its_end()
+        shutil.copy(run.out / "checkpoint.bin", run.out / "checkpoint.previous.bin")
+        damaged = bytearray((run.out / "checkpoint.bin").read_bytes())
+        damaged[len(damaged) // 2] ^= 16
+        (run.out / "checkpoint.bin").write_bytes(damaged)
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+        self.assertRegex(resumed.log(), "checkpoint.bin cannot be used, the checkpoint before it is: .*damaged")
+        self.assertEqual((run.out / "history.csv").read_bytes(), history)
+
+    def test_a_table_that_was_edited_before_a_resume_is_refused_by_name(self):
+        (self.folder / "places.csv").write_text("x,y,radius\n0.1,0.5,0.02\n0.2,0.8,0.02\n")
+        scene = DRUM_SCENE.split("[[grains]]")[0] + """
+            [[grains]]
+            name = "g"
+            generator = "csv"
+            file = "places.csv"
+            density = 2000
+            [[materials]]
+            name = "m"
+            youngs_modulus = 1e6
+            [[walls]]
+            name = "floor"
+            point = [0, 0]
+            normal = [0, 1]
+            """
+        with CoupledRun(self.folder, scene) as run:
+            self.assertEqual(run.wait(), 0, run.log())
+        run.forget_its_end()
+        table = run.out / "inputs/places.csv"
+        as_run = table.read_text()
+        table.write_text(as_run.replace("0.02", "0.03"))
+        refused = run_coupler("--out", run.out, "--resume")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("places.csv was changed since", refused.stderr)
+        table.write_text(as_run)
+        with CoupledRun(self.folder, None, resume=True) as resumed:
+            self.assertEqual(resumed.wait(), 0, resumed.log())
+
+    def test_a_run_does_not_write_where_it_reads(self):
+        (self.folder / "scene.toml").write_text(toy_scene())
+        before = (self.folder / "scene.toml").read_bytes()
+        refused = run_coupler("--scene", self.folder / "scene.toml", "--out", self.folder)
+        self.assertEqual(refused.returncode, 1)
+        self.assertRegex(refused.stderr, "scene.toml is in .*: take another folder")
+        self.assertEqual((self.folder / "scene.toml").read_bytes(), before)
+
+    def test_every_file_of_a_run_under_way_can_be_read_without_a_lock(self):
+        readings = 0
+        with CoupledRun(self.folder, SETTLING_SCENE.replace("interval = 0.01", "interval = 0.002")) as run:
+            while run.coupler.poll() is None:
+                for path in list(run.out.rglob("*.h5")):
+                    arrays = arrays_of(path)
+                    if path.name == "bodies.h5" and "/time" in arrays:
+                        self.assertEqual(len(arrays["/position"]), 3 * len(arrays["/time"]))
+                    readings += 1
+            self.assertEqual(run.wait(), 0, run.log())
+        self.assertGreater(readings, 20)
+
+    def kill_at_writes(self, scene, numbers):
+        """A run is killed at each of these writes of its coupler: what it leaves can be read and resumes to the same bits."""
+        preloaded = {"LD_PRELOAD": str(BIN / "libkill_at_write.so")}
+        with CoupledRun(self.folder / "whole", scene) as whole:
+            self.assertEqual(whole.wait(), 0, whole.log())
+        for number in numbers:
+            with self.subTest(write=number):
+                folder = self.folder / str(number)
+                with CoupledRun(folder, scene, coupler_environment=preloaded | {"KILL_AT_WRITE": str(number)}) as run:
+                    run.coupler.stdout.read()
+                    run.coupler.wait()
+                    self.assertEqual(run.coupler.returncode, -9, f"it has fewer than {number} writes")
+                for path in run.out.rglob("*.h5"):
+                    arrays_of(path)
+                if not (run.out / "scene.toml").exists():
+                    continue  # it had not begun
+                with CoupledRun(folder, None, resume=True) as resumed:
+                    self.assertEqual(resumed.wait(), 0, resumed.log())
+                self.assertEqual((run.out / "history.csv").read_bytes(), (whole.out / "history.csv").read_bytes())
+                self.assertEqual(run.arrays, whole.arrays)
+                shutil.rmtree(folder)
+
+    def test_kills_at_a_write_leave_files_that_can_be_read_and_go_on_to_the_same_bits(self):
+        self.kill_at_writes(SETTLING_SCENE, (50, 200, 350))
+
+    def test_a_hundred_kills_at_a_write_leave_files_that_can_be_read_and_go_on_to_the_same_bits(self):
+        self.kill_at_writes(SETTLING_SCENE, range(10, 410, 4))
+
+    def test_a_run_whose_disk_fills_up_is_not_completed(self):
+        for number in (60, 150, 250, 330, 390):
+            environment = {"LD_PRELOAD": str(BIN / "libkill_at_write.so"), "FAIL_FROM_WRITE": str(number)}
+            with self.subTest(write=number), CoupledRun(self.folder / str(number), SETTLING_SCENE,
+                                                        coupler_environment=environment) as run:
+                self.assertEqual(run.wait(), 1)
+                self.assertEqual(run.summary["status"], "failed")
+
     def test_a_run_under_way_is_left_alone_by_a_second_one(self):
         with CoupledRun(self.folder, toy_scene(step=1e-4, checkpoint_every=50)) as run:
-            run.wait_for(lambda: (run.out / "checkpoint.h5").exists())
+            run.wait_for(lambda: (run.out / "checkpoint.bin").exists())
             for options in (["--resume"], ["--scene", run.out / "scene.toml"]):
                 second = run_coupler("--out", run.out, *options)
                 self.assertEqual(second.returncode, 1)
@@ -140,7 +282,8 @@ class Coupled(unittest.TestCase):
 
     def test_a_refused_resume_leaves_the_summary_as_it_was(self):
         run = self.run_toy(checkpoint_every=6)
-        checkpoint, summary = run.out / "checkpoint.h5", run.out / "summary.json"
+        checkpoint, previous = run.out / "checkpoint.bin", run.out / "checkpoint.previous.bin"
+        summary = run.out / "summary.json"
 
         def refuse(sentence, *options):
             before = summary.read_bytes()
@@ -151,15 +294,16 @@ class Coupled(unittest.TestCase):
             self.assertEqual(summary.read_bytes(), before)
 
         refuse("nothing to resume: the run reached its end")
+        refuse("time.end must be later than t = 0.1 s", "--set", "time.end=0.08")
+        refuse("got fluid.density: start a new run", "--set", "fluid.density=1001")
         summary.write_text(summary.read_text().replace("completed", "failed"))
         refuse("keys", "--listen", "tcp://0.0.0.0:*")
         scene = run.out / "scene.toml"
         scene.write_text(scene.read_text().replace("1100", "1200"))
         refuse("a checkpoint of this very scene")
-        checkpoint.write_bytes(checkpoint.read_bytes()[:1000])
-        refuse("checkpoint.h5")
-        checkpoint.unlink()
-        refuse("output.checkpoint_every")
+        for damaged in (checkpoint, previous):
+            damaged.write_bytes(damaged.read_bytes()[:1000])
+        refuse("checkpoint.previous.bin")
 
     def test_a_disc_settles_through_fluid_server_and_resumes_to_the_same_bits(self):
         with CoupledRun(self.folder, SETTLING_SCENE) as run:
@@ -191,13 +335,14 @@ class Coupled(unittest.TestCase):
         self.assertAlmostEqual(outlet["momentum"][0] / (2 * mass), 0.1, 1)
         self.assertEqual(run.summary["grains"][0]["count"], 0)
         self.assertIsNone(run.summary["grains"][0]["position"][0])
-        whole = {name: (run.out / name).read_bytes() for name in ("history.csv", "bodies.h5", "left_bodies.csv")}
+        whole, arrays = {name: (run.out / name).read_bytes() for name in ("history.csv", "left_bodies.csv")}, run.arrays
         run.forget_its_end()
         with CoupledRun(self.folder, None, resume=True) as resumed:
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertIn("resumed after step 16", resumed.log())
         for name, content in whole.items():
             self.assertEqual((run.out / name).read_bytes(), content, name)
+        self.assertEqual(run.arrays, arrays)
 
     def test_a_disc_that_leaves_the_mesh_through_no_outlet_ends_the_run_with_its_name(self):
         with CoupledRun(self.folder, EXIT_SCENE.split("[[outlets]]")[0]) as run:
@@ -216,13 +361,14 @@ class Coupled(unittest.TestCase):
         self.assertAlmostEqual(sum(energy.values()) - 2 * supplied,
                                sum(first.values()) - 2 * (first["walls"] + first["loads"] + first["numerical"]), 12)
         self.assertEqual(run.summary["counts"]["dem"]["energy.kinetic"], energy["kinetic"])
-        whole = {name: (run.out / name).read_bytes() for name in ("history.csv", "bodies.h5")}
+        whole, arrays = {"history.csv": (run.out / "history.csv").read_bytes()}, run.arrays
         run.forget_its_end()
         with CoupledRun(self.folder, None, resume=True) as resumed:
             self.assertEqual(resumed.wait(), 0, resumed.log())
         self.assertIn("resumed after step 60", resumed.log())
         for name, content in whole.items():
             self.assertEqual((run.out / name).read_bytes(), content, name)
+        self.assertEqual(run.arrays, arrays)
 
     def test_a_run_with_adaptive_steps_resumes_to_the_same_bits(self):
         scene = channel_scene("step = 0.05\nend = 1.26\nrelative_tolerance = 5e-3", length=3, cells_x=18, cells_y=6)
@@ -255,7 +401,7 @@ class Coupled(unittest.TestCase):
         self.assertNotEqual(run_coupler("--check", self.folder / "scene.toml").returncode, 0)
 
     def test_wrong_options_are_refused_with_status_two(self):
-        for options in ([], ["--scene", "x"], ["--resume"], ["--nonsense"], ["--resume", "--out", "x", "--set", "a=1"]):
+        for options in ([], ["--scene", "x"], ["--resume"], ["--nonsense"]):
             self.assertEqual(run_coupler(*options).returncode, 2, options)
         self.assertEqual(run_coupler("--version").returncode, 0)
 

@@ -8,6 +8,8 @@ import subprocess
 import time
 from pathlib import Path
 
+import h5py
+
 BIN = Path(os.environ["FPI_BIN"])
 PATIENCE = 60  # s until a run that does not end counts as hanging
 
@@ -171,7 +173,7 @@ class CoupledRun:
     """A coupler and the participants that its plan asks for, each a process in a folder of its own."""
 
     def __init__(self, folder, scene, extra=(), resume=False, participant_options=(), participant_folders=None,
-                 environment=None):
+                 environment=None, coupler_environment=None):
         self.folder = Path(folder)
         self.folder.mkdir(exist_ok=True)
         self.out = self.folder / "run"
@@ -179,10 +181,11 @@ class CoupledRun:
         scene_file = self.out / "scene.toml" if resume else self.folder / "scene.toml"
         if not resume:
             scene_file.write_text(scene)
-        plan = json.loads(run_coupler("--plan", scene_file).stdout)
+        overrides = [word for word in extra if str(word).startswith("--set=")]
+        plan = json.loads(run_coupler("--plan", scene_file, *overrides).stdout)
         command = [BIN / "coupler", "--out", self.out, "--watch-stdin", *extra]
         command += ["--resume"] if resume else ["--scene", scene_file]
-        self.coupler = start(command, self.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.coupler = start(command, self.folder, coupler_environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         address = self.coupler.stdout.readline().split()
         if address[:1] != ["address"]:
             return
@@ -230,8 +233,9 @@ class CoupledRun:
         self.coupler.stdin.flush()
 
     def forget_its_end(self):
-        """Leaves the folder as a coupler that died after its last checkpoint would, so that it can be resumed."""
+        """Leaves the folder as a coupler that died after its last checkpoint but that of the end would."""
         (self.out / "summary.json").unlink()
+        (self.out / "checkpoint.previous.bin").rename(self.out / "checkpoint.bin")
 
     @property
     def summary(self):
@@ -242,8 +246,31 @@ class CoupledRun:
         with (self.out / "history.csv").open() as file:
             return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
+    @property
+    def arrays(self):
+        """All arrays of all HDF5 files, by file and name, as bytes."""
+        return {f"{path.name}:{name}": values for path in sorted(self.out.glob("*.h5")) for name, values in arrays_of(path).items()}
+
     def log(self):
         return (self.out / "coupler.log").read_text()
+
+
+def arrays_of(path):
+    """Whatever can be read of an HDF5 file."""
+    found = {}
+
+    def collect(group, prefix):
+        for name in group:  # follows links, as visititems does not
+            value = group[name]
+            if isinstance(value, h5py.Group):
+                found[f"{prefix}{name}.time"] = value.attrs.get("time")
+                collect(value, f"{prefix}{name}/")
+            else:
+                found[prefix + name] = value[()].tobytes() if value.dtype != object else tuple(value[()])
+
+    with h5py.File(path, "r") as file:
+        collect(file, "/")
+    return found
 
 
 def start(command, folder, environment=None, **streams):

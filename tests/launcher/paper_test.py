@@ -57,7 +57,6 @@ class Runs(unittest.TestCase):
         os.utime(self.bin / "coupler", (1, 1))
         for path in (self.configs, self.run_folder):
             (path / "scene.toml").write_text("as shipped")
-            (path / "ring.msh").write_text("as shipped")
         self.end("completed")
         self.enterContext(mock.patch.dict(os.environ, {"FPI_BIN": str(self.bin)}))
         self.enterContext(mock.patch.object(
@@ -74,10 +73,6 @@ class Runs(unittest.TestCase):
 
     def test_a_run_of_another_scene_is_not(self):
         (self.configs / "scene.toml").write_text("changed since")
-        self.assert_up_to_date(False)
-
-    def test_a_run_on_another_mesh_is_not(self):
-        (self.configs / "ring.msh").write_text("changed since")
         self.assert_up_to_date(False)
 
     def test_a_run_of_older_programs_is_not(self):

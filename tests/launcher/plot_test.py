@@ -157,7 +157,7 @@ class Plot(unittest.TestCase):
     def test_a_half_written_line_of_the_history_is_left_out(self):
         write_run(self.run_folder)
         with (self.run_folder / "history.csv").open("a") as file:
-            file.write("0.3,3,2")
+            file.write("0.3,3,2,1e-6,0,4,1,2,5.6,0.2")  # whole but for its end, or so it looks
         np.testing.assert_array_equal(results.read_history(self.run_folder)["time"], [0.1, 0.2])
 
     def test_tractions_are_the_strongest_of_bodies_that_moved_and_else_the_last(self):

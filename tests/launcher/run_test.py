@@ -92,6 +92,7 @@ class Stages(FakeTest):
         status, out = self.run_with(ready=False)
         self.assertEqual((status, json.loads(out)["run"]), (0, "r"))
         self.assertTrue((self.folder / "runs/stages/packing/summary.json").exists())
+        self.assertIn("--scene 8 ", (self.folder / "pid.words").read_text(), "planned anew with what the stage ended with")
 
     def test_a_stage_that_is_ready_is_not_run_again(self):
         self.assertEqual(self.run_with(ready=True)[0], 0)
@@ -124,6 +125,8 @@ class Folders(FakeTest):
         status, out, _ = self.fpi("resume", "old")
         self.assertEqual(status, 0)
         self.assertIn("--out old --watch-stdin --resume\n", out)
+        _, out, _ = self.fpi("resume", "old", "--set", "time.end=2")
+        self.assertIn("--out old --watch-stdin --resume --set time.end=2\n", out)
 
     def test_resume_needs_a_run_folder(self):
         status, _, err = self.fpi("resume", ".")

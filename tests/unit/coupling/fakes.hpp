@@ -92,9 +92,10 @@ class FakeFluid : public proto::FluidParticipant {
       fields.points = {0, 0, 0, 1, 0, 0, 0, 1, 0, .5, 0, 0, .5, .5, 0, 0, .5, 0};
       fields.cells = {0, 1, 2, 3, 4, 5};
     }
-    fields.fields = {{"velocity", false, 2, std::vector<double>(12, static_cast<double>(accepts))},
-                     {"pressure", false, 1, std::vector<double>(6)},
-                     {"active", true, 1, {1}}};
+    fields.fields = {
+        {"velocity", false, 2, std::vector<double>(12, velocities_.empty() ? 0 : velocities_[0])},
+        {"pressure", false, 1, std::vector<double>(6)},
+        {"active", true, 1, {1}}};
     return fields;
   }
   proto::State checkpoint() override { return {to_bytes(velocities_)}; }

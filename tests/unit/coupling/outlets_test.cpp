@@ -99,7 +99,7 @@ TEST_F(Leaving, a_resumed_run_knows_who_left) {
     run.march();
     histories.push_back(read_text_file(folder / "history.csv") + read_text_file(folder / "left_bodies.csv"));
   }
-  const Checkpoint checkpoint = read_checkpoint(folder.path(), scene::fingerprint(scene));
+  const Checkpoint checkpoint = last_checkpoint_before_the_end(scene);
   CoupledRun resumed = make_run(scene);
   resumed.resume({}, checkpoint);
   resumed.march();

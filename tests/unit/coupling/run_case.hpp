@@ -67,6 +67,14 @@ struct RunTest : testing::Test {
     return CoupledRun(scene, {scene.fluid ? &fluid : nullptr, scene.needs_dem() ? &dem : nullptr},
                       folder.path(), 1, ledger);
   }
+  /// The newest checkpoint; that of the end is the last.
+  Checkpoint newest_checkpoint(const scene::Scene& scene) {
+    return read_checkpoint(folder.path(), inputs_up_to_any_end(scene, {}));
+  }
+  Checkpoint last_checkpoint_before_the_end(const scene::Scene& scene) {
+    discard_newest_checkpoint(folder.path());
+    return newest_checkpoint(scene);
+  }
   std::size_t history_lines() {
     const std::string text = read_text_file(folder / "history.csv");
     return static_cast<std::size_t>(std::ranges::count(text, '\n')) - 1;

@@ -33,8 +33,38 @@ TEST(ReadFiles, files_are_found_beside_the_scene_and_kept_by_their_names_alone) 
   EXPECT_EQ(proto::content(files, "square.msh"), "a mesh");
   EXPECT_THROW(proto::content(files, "circle.msh"), Error);
   EXPECT_THROW(read_files(staged, folder / "drop.toml"), Error) << "no longer beside the scene";
-  fill_folder(folder.path(), scene, files);
+  write_inputs(folder.path(), scene, files);
+  scene.fluid->mesh.file = "inputs/square.msh";  // as scene.toml says now
+  EXPECT_NE(read_text_file(folder / "scene.toml").find("\"inputs/square.msh\""), std::string::npos);
   EXPECT_EQ(proto::content(read_files(staged, folder / "scene.toml"), "square.msh"), "a mesh");
+}
+
+TEST(RequireOutside, a_run_does_not_write_where_it_reads) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "runs/old");
+  std::filesystem::create_directory_symlink(folder / "runs/old", folder / "link");
+  std::ofstream(folder / "runs/old/final_bodies.csv") << "x,y,radius\n";
+  const std::vector<InputFile> table{{"final_bodies.csv", folder / "runs/old/final_bodies.csv"}};
+  EXPECT_NO_THROW(require_outside(folder / "runs/new", folder / "scene.toml", table));
+  EXPECT_NO_THROW(require_outside(folder / "runs/ol", folder / "scene.toml", table)) << "another name";
+  EXPECT_THROW(require_outside(folder / "runs/old", folder / "scene.toml", table), Error);
+  EXPECT_THROW(require_outside(folder / "link", folder / "scene.toml", table), Error);
+  EXPECT_THROW(require_outside(folder / "runs", folder / "scene.toml", table), Error) << "below it";
+  EXPECT_THROW(require_outside(folder.path(), folder / "scene.toml", {}), Error);
+}
+
+TEST(ClearFolder, results_and_what_was_not_finished_go_and_all_else_stays) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "fields");
+  for (const char* name :
+       {"history.csv", "fields/000000.h5", "checkpoint.previous.bin", "fields.h5.new", "notes.txt"})
+    std::ofstream(folder / name) << "old";
+  clear_folder(folder.path());
+  remove_unfinished(folder.path());
+  std::vector<std::string> left;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    left.push_back(entry.path().filename());
+  EXPECT_EQ(left, std::vector<std::string>{"notes.txt"});
 }
 
 TEST(Json, a_summary_says_null_for_a_lost_participant_and_zero_for_one_not_needed) {

@@ -57,7 +57,7 @@ TEST_F(RunTest, resumed_at_its_checkpoint_a_run_ends_in_the_same_bits) {
   new_fluid.largest_step = fluid.largest_step;
   FakeDem other_dem = new_dem();
   CoupledRun again(scene, {&new_fluid, &other_dem}, folder.path(), 2, ledger);
-  again.resume({}, read_checkpoint(folder.path(), scene::fingerprint(scene)));
+  again.resume({}, last_checkpoint_before_the_end(scene));
   EXPECT_LT(history_lines(), run.statistics().steps());
   again.march();
   EXPECT_LT(new_fluid.accepts, fluid.accepts);
@@ -74,7 +74,7 @@ TEST_F(RunTest, a_resumed_run_that_takes_no_step_writes_no_fields) {
   CoupledRun run = make_run(scene);
   run.start({});
   run.march();
-  const Checkpoint checkpoint = read_checkpoint(folder.path(), scene::fingerprint(scene));
+  const Checkpoint checkpoint = last_checkpoint_before_the_end(scene);
   fluid.largest_step = 0;
   CoupledRun again = make_run(scene);
   again.resume({}, checkpoint);
@@ -83,25 +83,76 @@ TEST_F(RunTest, a_resumed_run_that_takes_no_step_writes_no_fields) {
     EXPECT_EQ(output::H5File::read(folder / name).list("/steps").size(), 1u) << name << ": the first step's";
 }
 
-TEST_F(RunTest, a_checkpoint_of_another_scene_is_refused) {
+TEST_F(RunTest, a_checkpoint_of_another_scene_is_refused_but_one_that_only_ends_earlier_is_taken) {
   scene::Scene scene = make_scene({disc("ball", "free")});
-  scene.output.checkpoint_every = 5;
   CoupledRun run = make_run(scene);
   run.start({});
   run.march();
-  scene::Scene other = scene;
-  other.fluid->density = 2;
-  EXPECT_NO_THROW(read_checkpoint(folder.path(), scene::fingerprint(scene)));
-  EXPECT_THROW(read_checkpoint(folder.path(), scene::fingerprint(other)), Error);
+  EXPECT_NO_THROW(newest_checkpoint(scene));
+  scene.time.end = 2;
+  EXPECT_NO_THROW(newest_checkpoint(scene));
+  scene.fluid->density = 2;
+  EXPECT_THROW(newest_checkpoint(scene), Error);
 }
 
-TEST_F(RunTest, without_a_checkpoint_resuming_says_what_to_do) {
-  try {
-    read_checkpoint(folder.path(), 1);
-    FAIL() << "it resumed";
-  } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("output.checkpoint_every"), std::string::npos) << e.what();
+/// Runs the scene with participants of its own, from a checkpoint or from the start.
+void run_to_end(RunTest& test, const scene::Scene& scene, const std::optional<Checkpoint>& checkpoint = {}) {
+  FakeFluid fluid;
+  FakeDem dem = RunTest::new_dem();
+  CoupledRun run(scene, {&fluid, &dem}, test.folder.path(), 1, test.ledger);
+  checkpoint ? run.resume({}, *checkpoint) : run.start({});
+  run.march();
+}
+
+TEST_F(RunTest, a_finished_run_that_is_extended_is_the_longer_run_to_the_bit) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.checkpoint_every = 4;
+  scene.output.interval = 0.6;
+  scene::Scene longer = scene;
+  longer.time.end = 2 * scene.time.end;
+  run_to_end(*this, longer);
+  const std::string history = read_text_file(folder / "history.csv"),
+                    xdmf = read_text_file(folder / "fields.xdmf");
+  run_to_end(*this, scene);
+  EXPECT_EQ(history_lines(), 12u);
+  run_to_end(*this, longer, newest_checkpoint(longer));
+  EXPECT_EQ(read_text_file(folder / "history.csv"), history);
+  EXPECT_EQ(read_text_file(folder / "fields.xdmf"), xdmf);
+}
+
+TEST_F(RunTest, a_run_that_fails_leaves_the_last_state_that_it_can_be_resumed_from) {
+  scene::Scene scene = make_scene({disc("ball", "free")});  // a checkpoint by wall time is not due yet
+  scene.time.end = 6;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.on_progress = [&](const Standing& standing) {
+    if (standing.step == 30) fail("stopped");
+  };
+  EXPECT_THROW(run.march(), Error);
+  EXPECT_EQ(newest_checkpoint(scene).simulation.at("steps").front(), 25);
+  const output::H5File bodies = output::H5File::read(folder / "bodies.h5");
+  EXPECT_EQ(bodies.shape("/position")[0], 30u) << "all rows are in the file";
+}
+
+TEST_F(RunTest, without_checkpoints_asked_for_none_are_written) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.output.checkpoint_interval = 0;
+  CoupledRun run = make_run(scene);
+  run.start({});
+  run.march();
+  EXPECT_FALSE(has_checkpoint(folder.path()));
+}
+
+TEST_F(RunTest, when_a_checkpoint_is_written_changes_no_bit) {
+  scene::Scene scene = make_scene({disc("ball", "free")});
+  scene.time.end = 6;
+  std::vector<std::string> histories;
+  for (const double interval : {1e-9, 1e9}) {  // at each state that can be resumed, at none
+    scene.output.checkpoint_interval = interval;
+    run_to_end(*this, scene);
+    histories.push_back(read_text_file(folder / "history.csv"));
   }
+  EXPECT_EQ(histories[0], histories[1]);
 }
 
 TEST_F(RunTest, drag_lift_and_probes_are_reported_of_boundaries_and_bodies) {

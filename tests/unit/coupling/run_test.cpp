@@ -318,17 +318,17 @@ TEST(Statistics, means_leave_out_the_first_five_steps) {
 TEST(Plan, names_the_participants_that_the_scene_needs) {
   scene::Scene scene = make_scene({disc("post", "fixed")});
   scene.fluid->launch.command = "toy";
-  EXPECT_EQ(make_plan({scene, {}}).participants.size(), 1u);
+  EXPECT_EQ(make_plan({scene, {}}, {}).participants.size(), 1u);
   scene.bodies[0].motion = "free";
   scene.dem.emplace();
   scene.dem->launch.external = true;
-  const Plan plan = make_plan({scene, {}});
+  const Plan plan = make_plan({scene, {}}, {});
   ASSERT_EQ(plan.participants.size(), 2u);
   EXPECT_EQ(plan.participants[0].command, "toy");
   EXPECT_EQ(plan.participants[1].role, "dem");
   EXPECT_TRUE(plan.participants[1].external);
   scene.fluid.reset();
-  EXPECT_EQ(make_plan({scene, {}}).participants.size(), 1u);
+  EXPECT_EQ(make_plan({scene, {}}, {}).participants.size(), 1u);
 }
 
 }  // namespace

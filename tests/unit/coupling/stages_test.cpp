@@ -48,7 +48,7 @@ class Stages : public testing::Test {
     motions[2].spin = {0, 0, 5};
     write_final_bodies(scene, state, out);
     Summary summary;
-    summary.origin = {by_version, scene::fingerprint(scene)};
+    summary.origin = {by_version, fingerprint(inputs_of(scene, {}))};
     summary.status = "completed";
     std::ofstream(out + "/summary.json") << to_json(summary);
   }
@@ -75,13 +75,14 @@ TEST_F(Stages, grains_are_where_the_free_bodies_of_the_stage_ended) {
 TEST_F(Stages, the_run_folder_alone_is_enough_to_go_on_with) {
   run_packing(version);
   StagedScene staged = read();
-  const std::uint64_t fingerprint = make_plan(staged).scene_fingerprint;
   const Files files = read_files(staged, folder_ / "flow.toml");
-  fill_folder(folder_.path(), staged.scene, files);
+  const std::uint64_t fingerprint = make_plan(staged, files).scene_fingerprint;
+  write_inputs(folder_.path(), staged.scene, files);
   StagedScene again = read_staged(folder_ / "scene.toml", {}, "nowhere");
   EXPECT_TRUE(again.stages.empty());
-  EXPECT_EQ(make_plan(again).scene_fingerprint, fingerprint);
-  EXPECT_EQ(read_files(again, folder_ / "scene.toml")[0].bytes, files[0].bytes);
+  const Files same = read_files(again, folder_ / "scene.toml");
+  EXPECT_EQ(same[0].bytes, files[0].bytes);
+  EXPECT_EQ(make_plan(again, same).scene_fingerprint, fingerprint);
 }
 
 TEST_F(Stages, a_stage_is_run_again_after_a_change_of_its_scene_or_by_another_version) {
@@ -90,7 +91,7 @@ TEST_F(Stages, a_stage_is_run_again_after_a_change_of_its_scene_or_by_another_ve
   EXPECT_FALSE(read().stages[0].ready);
   run_packing(version);
   EXPECT_TRUE(read().stages[0].ready);
-  put("packing.toml", "title = \"denser\"\n" + packing);
+  put("packing.toml", "thickness = 2\n" + packing);
   StagedScene staged = read();
   EXPECT_FALSE(staged.stages[0].ready);
   try {
@@ -100,6 +101,22 @@ TEST_F(Stages, a_stage_is_run_again_after_a_change_of_its_scene_or_by_another_ve
     EXPECT_NE(std::string(e.what()).find("coupler --scene " + (folder_ / "packing.toml")), std::string::npos)
         << e.what();
   }
+}
+
+TEST_F(Stages, what_a_stage_ended_with_is_part_of_the_fingerprint) {
+  StagedScene before = read();
+  const Files none = read_files(find_files(before, folder_ / "flow.toml", Unready::leave_out), "");
+  EXPECT_TRUE(none.empty());
+  run_packing(version);
+  const auto fingerprint_now = [this] {
+    StagedScene staged = read();
+    const Files files = read_files(staged, folder_ / "flow.toml");
+    return make_plan(staged, files).scene_fingerprint;
+  };
+  const std::uint64_t first = fingerprint_now();
+  EXPECT_NE(make_plan(before, none).scene_fingerprint, first);
+  std::ofstream(folder_ / "runs/packing/final_bodies.csv", std::ios::app) << "0.9,9,0.1,0,0,0\n";
+  EXPECT_NE(fingerprint_now(), first);
 }
 
 TEST_F(Stages, a_stage_that_has_a_stage_itself_is_refused) {

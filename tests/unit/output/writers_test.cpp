@@ -90,9 +90,12 @@ TEST_F(Writers, bodies_are_rows_of_time) {
   {
     BodyWriter writer(folder.path(), {"a", "b"}, {0.5, 0.25});
     for (const double t : {1., 2., 3.}) writer.append(t, std::vector{one, BodyRow{}});
+    EXPECT_EQ(writer.size(), 3u);
+    writer.flush();
   }
   BodyWriter writer(folder.path(), 2);
   writer.append(9, std::vector{BodyRow{}, one});
+  writer.flush();
   const H5File file = H5File::read(folder / "bodies.h5");
   EXPECT_EQ(file.doubles("/time"), (std::vector<double>{1, 2, 9}));
   EXPECT_EQ(file.texts("/name"), (std::vector<std::string>{"a", "b"}));

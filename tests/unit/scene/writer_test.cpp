@@ -118,6 +118,8 @@ TEST(Fingerprint, is_that_of_the_meaning_and_not_of_the_text) {
   const Scene scene = read_text(settling, "drop.toml");
   EXPECT_EQ(fingerprint(scene), fingerprint(read_text("# a remark\n" + settling, "other.toml")));
   EXPECT_NE(fingerprint(scene), fingerprint(read_text(settling, "drop.toml", {"fluid.density=1001"})));
+  EXPECT_EQ(fingerprint(scene),
+            fingerprint(read_text(settling, "drop.toml", {"fluid.external=true", "title=\"another\""})));
 }
 
 TEST(TomlText, writes_reals_so_that_they_stay_reals) {

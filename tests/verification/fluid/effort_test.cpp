@@ -107,5 +107,21 @@ TEST(Effort, a_disc_that_moves_through_a_flow_keeps_the_factor_of_where_it_was) 
   }
 }
 
+TEST(Effort, a_linear_problem_keeps_the_factor_that_a_resumed_run_makes_again) {
+  auto s = channel(0.1);
+  s.fluid.convection = false;
+  NavierStokes solver(square(8), s), resumed(square(8), s);
+  march(solver, 0.05, 1, 10);
+  const double before = counted(solver, "factorisations");
+  solver.drop_caches();
+  resumed.set_state(solver.state());
+  march(solver, 0.05, 11, 20);
+  march(resumed, 0.05, 11, 20);
+  EXPECT_EQ(counted(solver, "factorisations"), before);
+  EXPECT_EQ(counted(resumed, "factorisations"), 1);
+  EXPECT_EQ(solver.state().u, resumed.state().u) << "to the bit";
+  EXPECT_EQ(solver.state().p, resumed.state().p);
+}
+
 }  // namespace
 }  // namespace fpi::fluid
