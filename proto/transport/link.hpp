@@ -12,6 +12,7 @@
 
 #include "proto/messages.hpp"
 #include "proto/participant.hpp"
+#include "proto/transport/pulse.hpp"
 #include "proto/transport/socket.hpp"
 
 namespace fpi::proto {
@@ -42,6 +43,7 @@ class Link {
   void forward_answers();
   void handle(const Frames& frames);
   void handle_event(const Frames& frames);
+  void lose(const char* sign);
   std::string handshake_failure(int event, std::uint32_t detail) const;
   void join();
   void beat();
@@ -55,6 +57,7 @@ class Link {
   zmq::context_t context_;
   zmq::socket_t wire_{context_, ZMQ_DEALER};
   zmq::socket_t monitor_{context_, ZMQ_PAIR};  ///< what happens to the connection
+  std::optional<Pulse> pulse_;                 ///< once the coupler has said how long it may be silent
   zmq::socket_t inner_{context_, ZMQ_PAIR};    ///< answers, the thread's end
   zmq::socket_t outer_{context_, ZMQ_PAIR};    ///< answers, the solver's end; an empty one is the last
 

@@ -28,7 +28,7 @@ void set_limits(zmq::socket_t& socket) {
 }
 
 std::optional<Frames> receive(zmq::socket_t& socket) {
-  constexpr std::size_t most = 9;
+  constexpr std::size_t most = 10;  // of ZAP: a question with name and password
   Frames frames;
   for (bool more = true; more;) {
     zmq::message_t frame;

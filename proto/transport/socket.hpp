@@ -21,7 +21,7 @@ inline double since(Clock::time_point start) {
 /// Limits on size, queues and the time that closing may take.
 void set_limits(zmq::socket_t& socket);
 
-/// The frames of the next message, none where there is none now. More than nine frames are nobody's: the rest
+/// The frames of the next message, none where there is none now. More than ten frames are nobody's: the rest
 /// of them is dropped.
 std::optional<Frames> receive(zmq::socket_t& socket);
 

@@ -1,0 +1,72 @@
+/// Several messages in one input, as one side of a run sends them one after another: each is its length (four
+/// bytes, little-endian) and its bytes.
+#pragma once
+
+#include <cstring>
+#include <optional>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "fuzz.hpp"
+#include "proto/codec.hpp"
+#include "proto/host.hpp"
+
+namespace fpi::fuzz {
+
+inline Bytes conversation(const std::vector<proto::Envelope>& envelopes) {
+  Bytes all;
+  for (const proto::Envelope& envelope : envelopes) {
+    const proto::Bytes message = proto::encode(envelope);
+    const auto length = static_cast<std::uint32_t>(message.size());
+    for (unsigned shift = 0; shift < 32; shift += 8)
+      all.push_back(static_cast<std::uint8_t>(length >> shift));
+    all.insert(all.end(), message.begin(), message.end());
+  }
+  return all;
+}
+
+/// The messages of an input; a length that goes beyond its end takes what is left.
+class Conversation {
+ public:
+  Conversation(const std::uint8_t* data, std::size_t size) : left_(data, size) {}
+
+  /// The next message, decoded as a program decodes what came; nothing at the end, or where it would be
+  /// refused.
+  std::optional<proto::Envelope> next() {
+    std::uint32_t length = 0;
+    if (left_.size() < sizeof length) return std::nullopt;
+    std::memcpy(&length, left_.data(), sizeof length);
+    left_ = left_.subspan(sizeof length);
+    const std::size_t taken = std::min<std::size_t>(length, left_.size());
+    auto decoded = proto::decode(left_.first(taken));
+    left_ = left_.subspan(taken);
+    auto* envelope = std::get_if<proto::Envelope>(&decoded);
+    return envelope ? std::optional(std::move(*envelope)) : std::nullopt;
+  }
+
+  /// The next message as an answer of this type; throws as the coupler does where it is another one.
+  template <class Answer>
+  Answer answer() {
+    std::optional<proto::Envelope> envelope = next();
+    Answer* wanted = envelope ? std::get_if<Answer>(&envelope->message) : nullptr;
+    if (!wanted) throw proto::ParticipantLost("an answer of another type, or none");
+    return std::move(*wanted);
+  }
+
+ private:
+  std::span<const std::uint8_t> left_;
+};
+
+/// Whatever a participant is asked, it answers or refuses with an error; its answers are fit to be read.
+template <class Desk>
+void ask_all(Conversation conversation, Desk& desk) {
+  try {
+    while (const std::optional<proto::Envelope> request = conversation.next())
+      proto::decode(proto::encode({request->stamp, desk.answer(*request)}));
+  } catch (const std::exception&) {  // the program would report it and end
+  }
+}
+
+}  // namespace fpi::fuzz

@@ -1,0 +1,78 @@
+/// What a DEM may answer to the coupler: alone, and with the real fluid on a coarse mesh.
+#include "fluid_service.hpp"
+#include "run_with.hpp"
+
+namespace {
+
+using namespace fpi::proto;
+
+const std::string dry = R"(
+gravity = [0, -9.81]
+[time]
+step = 0.01
+end = 0.02
+[output]
+checkpoint_every = 1
+[dem]
+energy = true
+[[materials]]
+name = "stone"
+youngs_modulus = 1e6
+[[outlets]]
+name = "below"
+lower = [-1, -9]
+upper = [1, 0]
+[[bodies]]
+name = "ball"
+radius = 0.2
+density = 1200
+position = [0.5, 0.55]
+)";
+
+const std::string wet = dry + R"(
+[fluid]
+density = 1000
+kinematic_viscosity = 1e-3
+mesh = {lower = [0, 0], upper = [1, 1], cells_x = 2, cells_y = 2}
+[fluid.boundaries]
+left.type = "no_slip"
+right.type = "no_slip"
+bottom.type = "traction"
+top.type = "no_slip"
+)";
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  {
+    fpi::fuzz::PuppetDem dem(data, size);
+    fpi::fuzz::run(dry.c_str(), {.dem = &dem});
+  }
+  fpi::fuzz::PuppetDem dem(data, size);
+  fpi::fluid::FluidService fluid;
+  fpi::fuzz::run(wet.c_str(), {&fluid, &dem, true, true, true});
+  return 0;
+}
+
+namespace fpi::fuzz {
+
+std::vector<Bytes> seeds() {
+  const Envelope configured{{}, Configured{.notes = {"a toy"}, .figures = {{"bodies", 1}}}};
+  const auto advanced = [](double y, double vy) {
+    const Motion motion{.body = 0, .position = {0.5, y, 0}, .velocity = {0, vy, 0}};
+    return Envelope{{1, 1, 0}, DemAdvanced{true, "", {motion}, 5, {0}, 1e-6}};
+  };
+  const Envelope failed{{1, 1, 0}, DemAdvanced{.reason = "no sub-step is small enough"}};
+  const Envelope accepted{{1, 1, 0}, Accepted{{{"energy.kinetic", 0.1}}}};
+  const Envelope state{{1, 1, 0}, State{{1, 2, 3}}};
+  const Envelope first = advanced(0.5498, -0.02), second = advanced(0.549, -0.04), gone = advanced(-0.3, -9);
+  return {conversation({configured, first, accepted, state, second, accepted, state}),
+          conversation({configured, failed, {{1, 1, 0}, Restored{}}, first, accepted, state}),
+          conversation({configured, gone, accepted, state, gone, accepted, state}),
+          conversation(
+              {configured, first, first, first, second, second, accepted, state, second, second, second})};
+}
+
+std::vector<std::string> words() { return {}; }
+
+}  // namespace fpi::fuzz
