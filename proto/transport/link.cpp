@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <tuple>
 
 #include "core/error.hpp"
@@ -77,7 +76,7 @@ void Link::turn() {
   poll(items, std::min(heartbeat_interval_, 0.5) / 2);
   // Messages before events: a coupler that says goodbye and closes has not vanished.
   while (const auto frames = receive(wire_)) handle(*frames);
-  while (const auto frames = receive(monitor_)) handle_event(*frames);
+  while (const auto event = next_event(monitor_)) handle_event(*event);
   forward_answers();
   if (pulse_ && pulse_->has_stopped()) lose("it gave no sign of life");
   beat();
@@ -115,19 +114,13 @@ void Link::handle(const Frames& frames) {
   }
 }
 
-/// An event is a number of two bytes and a value of four, in the machine's own order.
-void Link::handle_event(const Frames& frames) {
-  std::uint16_t event = 0;
-  std::uint32_t value = 0;
-  if (frames[0].size() < sizeof event + sizeof value) return;
-  std::memcpy(&event, frames[0].data(), sizeof event);
-  std::memcpy(&value, frames[0].data<char>() + sizeof event, sizeof value);
-  if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
+void Link::handle_event(const ConnectionEvent& event) {
+  if (event.kind == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
     if (!welcomed_) join();
-  } else if (event == ZMQ_EVENT_DISCONNECTED) {
+  } else if (event.kind == ZMQ_EVENT_DISCONNECTED) {
     if (welcomed_) lose("its connection is closed");  // before, ZeroMQ tries again
   } else {
-    post(Ending{refused, handshake_failure(event, value)});
+    post(Ending{refused, handshake_failure(event)});
   }
 }
 
@@ -136,14 +129,14 @@ void Link::lose(const char* sign) {
   post(Ending{vanished, fmt::format("the coupler vanished: {}", sign)});
 }
 
-std::string Link::handshake_failure(int event, std::uint32_t detail) const {
+std::string Link::handshake_failure(const ConnectionEvent& event) const {
   const auto& [address, keys] = std::tie(connection_.address, connection_.keys);
-  if (event == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH)
+  if (event.kind == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH)
     return fmt::format(
         "the coupler at {} refused: {}", address,
         keys.empty() ? "this is not the token of its run: name the file that this coupler wrote"
                      : "it does not know this key: participant.public must be the same there as in " + keys);
-  if (detail == ZMQ_PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH)
+  if (event.detail == ZMQ_PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH)
     return keys.empty()
                ? fmt::format("the coupler at {} asks for keys: give --keys DIR in place of --token", address)
                : fmt::format("the coupler at {} uses no keys: give --token FILE here, or --keys DIR there",

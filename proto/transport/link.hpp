@@ -42,9 +42,9 @@ class Link {
   void turn();
   void forward_answers();
   void handle(const Frames& frames);
-  void handle_event(const Frames& frames);
+  void handle_event(const ConnectionEvent& event);
   void lose(const char* sign);
-  std::string handshake_failure(int event, std::uint32_t detail) const;
+  std::string handshake_failure(const ConnectionEvent& event) const;
   void join();
   void beat();
   void watch_the_clock();

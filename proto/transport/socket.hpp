@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,6 +32,14 @@ Sent send(zmq::socket_t& socket, Frames frames, zmq::send_flags flags = zmq::sen
 
 /// Waits until an item is ready, `seconds` have passed, or a signal came.
 void poll(std::span<zmq_pollitem_t> items, double seconds);
+
+/// What happened to a watched connection, see zmq_socket_monitor.
+struct ConnectionEvent {
+  int kind = 0;              ///< ZMQ_EVENT_…
+  std::uint32_t detail = 0;  ///< its value
+};
+/// The next event of the socket `monitor`; nothing where there is none now.
+std::optional<ConnectionEvent> next_event(zmq::socket_t& monitor);
 
 inline bool readable(const zmq_pollitem_t& item) { return item.revents & ZMQ_POLLIN; }
 inline zmq_pollitem_t reading(zmq::socket_t& socket) { return {socket.handle(), 0, ZMQ_POLLIN, 0}; }

@@ -47,7 +47,7 @@ velocity = ["0.1", "0"]
 
 Motion stirrer() { return {.body = 2, .position = {0.1001, 0.02, 0}, .velocity = {0.1, 0, 0}}; }
 Motion gate() { return {.body = 1, .position = {1e-4, 0, 0}, .velocity = {0.1, 0, 0}}; }
-Load load(std::uint32_t body) {
+Load load_on(std::uint32_t body) {
   return {
       .body = body, .force = {0.1, 3, 0}, .torque = {0, 0, 1e-3}, .added_mass = 0.3, .added_inertia = 1e-4};
 }
@@ -69,10 +69,12 @@ std::vector<Bytes> seeds() {
   for (std::size_t i = 0; i < 6; ++i) resistance[7 * i] = 100;
   const Envelope dry{{1, 1, 0}, DemAdvance{1e-3, 1e-3, {}, {stirrer()}, {}, {gate()}, {}}};
   const Envelope wet{
-      {1, 1, 0}, DemAdvance{1e-3, 1e-3, {load(0), load(1)}, {stirrer()}, {1e-3, 1e-3, 1e-3}, {gate()}, {}}};
+      {1, 1, 0},
+      DemAdvance{1e-3, 1e-3, {load_on(0), load_on(1)}, {stirrer()}, {1e-3, 1e-3, 1e-3}, {gate()}, {}}};
   const Envelope coupled{
       {1, 1, 0},
-      DemAdvance{1e-3, 1e-3, {load(0), load(1)}, {stirrer()}, {1e-3, 1e-3, 1e-3}, {gate()}, resistance}};
+      DemAdvance{
+          1e-3, 1e-3, {load_on(0), load_on(1)}, {stirrer()}, {1e-3, 1e-3, 1e-3}, {gate()}, resistance}};
   const Envelope accept{{1, 1, 0}, Accept{}};
   return {conversation({dry, accept, dry, {{1, 2, 0}, Goodbye{"the end"}}}),
           conversation({wet, wet, {{1, 1, 0}, Accept{{1}}}, {{1, 1, 0}, Checkpoint{}}}),
