@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstring>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "core/log.hpp"
 #include "fuzz.hpp"
 #include "proto/codec.hpp"
 #include "proto/host.hpp"
@@ -59,13 +61,24 @@ class Conversation {
   std::span<const std::uint8_t> left_;
 };
 
+/// Keeps what programs say of hostile messages from the terminal, unless FPI_FUZZ_LOG is set: to see what one
+/// input does.
+inline void be_quiet() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    log::open("fuzz", "", std::getenv("FPI_FUZZ_LOG") ? log::Level::debug : log::Level::error);
+  });
+}
+
 /// Whatever a participant is asked, it answers or refuses with an error; its answers are fit to be read.
 template <class Desk>
 void ask_all(Conversation conversation, Desk& desk) {
+  be_quiet();
   try {
     while (const std::optional<proto::Envelope> request = conversation.next())
       proto::decode(proto::encode({request->stamp, desk.answer(*request)}));
-  } catch (const std::exception&) {  // the program would report it and end
+  } catch (const std::exception& e) {
+    log::info("the program reports and ends: {}", e.what());
   }
 }
 

@@ -33,6 +33,7 @@ using PuppetDem = Puppet<proto::DemParticipant, proto::DemAdvance, proto::DemAdv
 
 /// The run ends well, or with an error.
 inline void run(const char* text, Participants participants) {
+  be_quiet();
   const scene::Scene scene = scene::read_text(text, "the scene of this target");
   const TemporaryFolder folder;
   Ledger ledger;
@@ -40,7 +41,9 @@ inline void run(const char* text, Participants participants) {
     Run run(scene, participants, folder.path(), 1, ledger);
     run.start({});
     run.march();
-  } catch (const std::exception&) {  // the coupler would write it into the summary
+    log::info("the run ends well");
+  } catch (const std::exception& e) {
+    log::info("the run ends: {}", e.what());
   }
 }
 
