@@ -13,7 +13,6 @@
 #include "core/log.hpp"
 #include "fuzz.hpp"
 #include "proto/codec.hpp"
-#include "proto/host.hpp"
 
 namespace fpi::fuzz {
 
@@ -46,15 +45,6 @@ class Conversation {
     left_ = left_.subspan(taken);
     auto* envelope = std::get_if<proto::Envelope>(&decoded);
     return envelope ? std::optional(std::move(*envelope)) : std::nullopt;
-  }
-
-  /// The next message as an answer of this type; throws as the coupler does where it is another one.
-  template <class Answer>
-  Answer answer() {
-    std::optional<proto::Envelope> envelope = next();
-    Answer* wanted = envelope ? std::get_if<Answer>(&envelope->message) : nullptr;
-    if (!wanted) throw proto::ParticipantLost("an answer of another type, or none");
-    return std::move(*wanted);
   }
 
  private:

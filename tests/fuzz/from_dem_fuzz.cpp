@@ -11,6 +11,9 @@ gravity = [0, -9.81]
 [time]
 step = 0.01
 end = 0.02
+max_halvings = 2
+[coupling]
+max_iterations = 5
 [output]
 checkpoint_every = 1
 [dem]
@@ -62,12 +65,11 @@ std::vector<Bytes> seeds() {
   const Envelope failed{{1, 1, 0}, DemAdvanced{.reason = "no sub-step is small enough"}};
   const Envelope accepted{{1, 1, 0}, Accepted{{{"energy.kinetic", 0.1}}}};
   const Envelope state{{1, 1, 0}, State{{1, 2, 3}}};
-  const Envelope first = advanced(0.5498, -0.02), second = advanced(0.549, -0.04), gone = advanced(-0.3, -9);
-  return {conversation({configured, first, accepted, state, second, accepted, state}),
-          conversation({configured, failed, {{1, 1, 0}, Restored{}}, first, accepted, state}),
-          conversation({configured, gone, accepted, state, gone, accepted, state}),
-          conversation(
-              {configured, first, first, first, second, second, accepted, state, second, second, second})};
+  const Envelope restored{{1, 1, 0}, Restored{}};
+  return {conversation({configured, advanced(0.5498, -0.02), accepted, restored, state}),
+          conversation({configured, failed, advanced(0.5498, -0.02), accepted, restored, state}),
+          conversation({configured, advanced(-0.3, -9), accepted, restored, state}),
+          conversation({configured, advanced(0.5, -1), advanced(0.4, -2), accepted, restored, state})};
 }
 
 std::vector<std::string> words() { return {}; }

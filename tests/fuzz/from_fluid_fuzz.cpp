@@ -17,6 +17,10 @@ gravity = [0, -9.81]
 [time]
 step = 0.01
 end = 0.02
+max_halvings = 2
+[coupling]
+max_iterations = 5
+relative_tolerance = 0.1
 [output]
 checkpoint_every = 1
 [fluid]
@@ -87,15 +91,10 @@ std::vector<Bytes> seeds() {
   mesh.tables = {{"sections", {"x", "pressure"}, {0, 1, 2, 3}}};
   const Envelope fields{{1, 1, 0}, mesh};
   const Envelope state{{1, 1, 0}, State{{1, 2, 3}}};
-  std::vector<Envelope> with_fields{configured}, failing{configured, failed, restored};
-  for (int step = 0; step < 2; ++step) {
-    for (std::vector<Envelope>* run : {&with_fields, &failing}) {
-      run->insert(run->end(), {advanced, advanced, accepted, fields, state});
-    }
-  }
-  std::vector<Envelope> longer{configured};
-  longer.insert(longer.end(), 40, advanced);
-  return {conversation(with_fields), conversation(failing), conversation(longer)};
+  return {conversation({configured, advanced, accepted, restored, fields, state}),
+          conversation({configured, failed, advanced, advanced, advanced, advanced, advanced, advanced,
+                        advanced, accepted, restored, fields, state}),
+          conversation({configured, advanced, accepted, restored, {{1, 1, 0}, Fields{}}, state})};
 }
 
 std::vector<std::string> words() { return {}; }
