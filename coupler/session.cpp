@@ -21,7 +21,9 @@
 #include "json.hpp"
 #include "output/replace.hpp"
 #include "plan.hpp"
+#include "proto/descriptors.hpp"
 #include "proto/host.hpp"
+#include "proto/token.hpp"
 #include "remote.hpp"
 #include "run.hpp"
 #include "run_folder.hpp"
@@ -145,9 +147,12 @@ class Session {
   }
 
   void open_address() {
+    proto::raise_descriptor_limit();
+    if (options_.keys.empty()) token_.emplace(options_.folder);
     host_ = std::make_unique<proto::Host>(
         proto::HostOptions{.address = options_.listen,
                            .keys = options_.keys,
+                           .token = token_ ? token_->token() : "",
                            .run = number_,
                            .scene_fingerprint = plan_.scene_fingerprint,
                            .silence_timeout = scene_.coupling.participant_timeout,
@@ -182,6 +187,7 @@ class Session {
   }
 
   void admit() {
+    if (token_) say("token " + token_->path());
     say("address " + host_->address());
     std::vector<std::string> roles;
     std::vector<bool> external;
@@ -333,6 +339,7 @@ class Session {
   std::optional<Checkpoint> checkpoint_;  ///< to resume from
   bool uses_previous_ = false, began_ = false, reached_end_ = false, all_save_ = true;
   Files files_;
+  std::optional<proto::TokenFile> token_;  ///< where there are no keys
   std::unique_ptr<proto::Host> host_;
   std::set<std::string> offered_;  ///< capabilities of all participants
   std::optional<RemoteFluid> fluid_;

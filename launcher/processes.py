@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 PR_SET_PDEATHSIG = 1
 _libc = ctypes.CDLL(None, use_errno=True)
@@ -28,6 +29,15 @@ class Child:
     def status(self) -> int | None:
         """Exit status, minus the number of the signal that ended it, or None while it runs."""
         return self.process.poll()
+
+    @property
+    def is_stopped(self) -> bool:
+        """True while the program is there and stands still: by SIGSTOP, Ctrl-Z of a terminal, or a debugger."""
+        try:
+            state = Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()[0]
+        except OSError:
+            return False
+        return state in "Tt"
 
     def signal(self, number: signal.Signals) -> None:
         """Signals the whole group, and so what the program itself has started."""

@@ -86,6 +86,8 @@ class Run:
         self.coupler: Child | None = None
         self.participants: list[Child] = []
         self.told: set[str] = set()
+        self.stopped: list[Child] = []  # those that the user was told of
+        self.token_file = ""  # of the run, from the coupler; empty where there are keys
         self.interrupted_at: float | None = None
         self.stopped_at_once = False
 
@@ -137,14 +139,17 @@ class Run:
                     if not data:
                         selector.unregister(key.fileobj)
                 self.tell_of_exits()
+                self.tell_of_stops()
                 if self.interrupted_at and time.monotonic() - self.interrupted_at > INTERRUPT_PATIENCE:
                     self.display.warn("the coupler does not end; it is terminated")
                     return
 
     def hear(self, line: str) -> None:
-        """A line of the coupler's standard output: its address, progress, or words for the user."""
+        """A line of the coupler's standard output: its token file and address, progress, or words for the user."""
         word, _, rest = line.partition(" ")
-        if word == "address":
+        if word == "token":
+            self.token_file = rest
+        elif word == "address":
             self.start_participants(rest.strip())
         elif word == "progress":
             self.display.progress(json.loads(rest))
@@ -158,6 +163,8 @@ class Run:
             options = ["--scene", str(self.plan["scene_fingerprint"])]
             if self.request.keys:
                 options += ["--keys", str(self.request.keys)]
+            elif self.token_file:
+                options += ["--token", self.token_file]
             if participant["external"]:
                 command = [*(words or [OURS[role]]), "--connect", reachable(address, "HOST"), *options]
                 self.display.say(f"Waiting for the {role} program; start it with: {shlex.join(command)}")
@@ -193,6 +200,19 @@ class Run:
         for participant in self.participants:
             if participant.status is not None and participant.name not in self.told:
                 self.tell(participant.name, participant.status)
+
+    def tell_of_stops(self) -> None:
+        """Names programs that stand still, once each time: the run waits for them, or gives them up."""
+        for child in [self.coupler, *self.participants]:
+            if child.is_stopped == (child in self.stopped):
+                continue
+            if child.is_stopped:
+                self.stopped.append(child)
+                self.display.warn(f"{child.name} is stopped (process {child.process.pid}); it goes on after: kill -CONT {child.process.pid}")
+            else:
+                self.stopped.remove(child)
+                if child.status is None:
+                    self.display.warn(f"{child.name} goes on")
 
     def tell(self, role: str, status: int) -> None:
         """Tells the coupler that a participant is gone; it decides what that means. A signal counts negative."""

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/log.hpp"
+#include "core/text.hpp"
 #include "proto/codec.hpp"
 #include "proto/transport/switchboard.hpp"
 
@@ -28,23 +29,23 @@ std::vector<Hello> Host::admit(const std::vector<std::string>& roles, const std:
           roles.size(), external.size());
   Switchboard& board = implementation_->board;
   const double join_timeout = implementation_->options.join_timeout;
-  const Clock::time_point start = Clock::now();
-  std::map<std::string, Clock::time_point> ended;
+  const AttentiveClock& clock = board.clock;
+  const double start = clock.now();
+  std::map<std::string, double> ended;
 
   /// Gives up waiting for a program that we started and that has ended or takes too long.
   const auto give_up_late = [&](const std::string& role) {
     const auto refusal = board.refused.find(role);
     const std::string because = refusal == board.refused.end() ? "" : "; it was refused: " + refusal->second;
     const std::optional<int> status = board.exits.of(role);
-    if (status && since(ended.try_emplace(role, Clock::now()).first->second) > last_words)
+    if (status && clock.since(ended.try_emplace(role, clock.now()).first->second) > last_words)
       throw ParticipantLost(fmt::format("{} {} before it joined{}", role, describe_exit(*status), because));
-    if (since(start) > join_timeout)
+    if (clock.since(start) > join_timeout)
       throw ParticipantLost(
           fmt::format("{} did not join at {} within {} s{}", role, address(), join_timeout, because));
   };
 
   board.expect(roles);
-  board.start_waiting();
   while (board.members.size() < roles.size()) {
     board.turn(while_waiting);
     for (std::size_t i = 0; i < roles.size(); ++i)
@@ -65,7 +66,6 @@ Message Host::exchange(const std::string& role, const Stamp& stamp, Message mess
   member.stamp = {implementation_->options.run, stamp.step, stamp.sub_iteration};
   member.asked = name(message);
   member.answer.reset();
-  board.start_waiting();
   board.send_to(member, message);
   while (!member.answer) {
     board.turn(while_waiting);
@@ -85,12 +85,11 @@ std::vector<std::pair<std::string, Figures>> Host::dismiss(const std::string& re
   std::vector<std::pair<std::string, Figures>> figures;
   try {
     Switchboard& board = implementation_->board;
-    const Clock::time_point start = Clock::now();
-    board.start_waiting();
+    const double start = board.clock.now();
     for (auto& [role, member] : board.members)
-      board.send_to(member, Goodbye{reason});  // a lost one may hear it
+      board.send_to(member, Goodbye{printable(reason)});  // a lost one may hear it
     const auto is_gone = [](const auto& entry) { return entry.second.gone; };
-    while (!std::ranges::all_of(board.members, is_gone) && since(start) < limit) {
+    while (!std::ranges::all_of(board.members, is_gone) && board.clock.since(start) < limit) {
       try {
         board.turn(nullptr);
       } catch (const Error& e) {

@@ -14,11 +14,13 @@ namespace fpi::proto {
 
 struct HostOptions {
   std::string address = "tcp://127.0.0.1:*";  ///< "*": a free port
-  std::string keys;  ///< folder of coupler.secret, coupler.public, participant.public; "": loopback only
+  std::string keys;   ///< folder of coupler.secret, coupler.public, participant.public; "": loopback only
+  std::string token;  ///< of the run, which participants must show where there are no keys
   std::uint64_t run = 0;
   std::uint64_t scene_fingerprint = 0;
-  double silence_timeout = 10;  ///< [s] without a sign of life of a participant
-  double join_timeout = 60;     ///< [s] for every participant to join; waits for ever where external
+  double silence_timeout = 30;    ///< [s] without a sign of life; participants are told it too
+  double join_timeout = 60;       ///< [s] for every participant to join; waits for ever where external
+  double handshake_timeout = 10;  ///< [s] after which a connection that shows neither key nor token is closed
   double heartbeat_interval = 0.5;
   /// Read lines "exited ROLE STATUS" from standard input, written by the launcher when a process it started
   /// ends (negative: the signal). The launcher keeps it open: its end means that the launcher is gone, and
@@ -37,7 +39,8 @@ class Interrupted : public Error {
 
 class Host {
  public:
-  /// Binds. Throws Error for an address that is not loopback without keys, and for one that cannot be bound.
+  /// Binds. Throws Error for an address that is not loopback without keys, for one that cannot be bound, and
+  /// where there is neither key nor token.
   explicit Host(const HostOptions&);
   ~Host();
   Host(const Host&) = delete;

@@ -10,7 +10,8 @@ namespace fpi::proto {
 /// overwrites: throws Error when a key is there already.
 void make_keys(const std::string& folder);
 
-/// Reads a key file. Throws Error naming the file when it is missing or is not 40 characters of Z85.
+/// Reads a key file. Throws Error naming the file when it is missing, is not 40 characters of Z85, or is a
+/// secret that others than its owner can read.
 std::string read_key(const std::string& folder, const std::string& file);
 
 }  // namespace fpi::proto

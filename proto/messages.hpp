@@ -44,6 +44,7 @@ struct Hello {
 struct Welcome {
   std::uint64_t scene_fingerprint = 0;
   double heartbeat_interval = 0.5;  ///< [s] that the participant keeps to
+  double silence_timeout = 30;      ///< [s] without a sign of life after which either side gives the other up
 };
 struct Refusal {
   std::string reason{};

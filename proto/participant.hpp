@@ -71,9 +71,9 @@ struct Connection {
   std::vector<std::string> capabilities;
   std::string address;  ///< "tcp://127.0.0.1:5555"
   std::string keys;     ///< folder with participant.secret, participant.public, coupler.public; "": none
+  std::string token;    ///< of the run; without keys only
   std::uint64_t scene_fingerprint = 0;  ///< 0: any scene
   double join_timeout = 30;             ///< [s] to wait for the coupler
-  double silence_timeout = 30;          ///< [s] without a sign of life of the coupler
 };
 
 /// Takes part in one run. Returns the exit status: 0 after a goodbye, 1 after an error of this participant, 2
@@ -85,8 +85,8 @@ int serve(FluidParticipant&, const Connection&);
 int serve(DemParticipant&, const Connection&);
 
 /// The command line every participant shares:
-///   --connect ADDRESS [--keys DIR] [--log FILE] [--scene FINGERPRINT] [--version]
-/// Opens the log. Exits by itself on --help, --version and bad options (status 2).
+///   --connect ADDRESS [--token FILE | --keys DIR] [--log FILE] [--scene FINGERPRINT] [--version]
+/// Reads the token and opens the log. Exits by itself on --help, --version and bad options (status 2).
 Connection read_command_line(int argc, char** argv, const std::string& program,
                              const std::vector<std::string>& capabilities);
 

@@ -20,7 +20,7 @@ struct Coupling {
   std::string predictor = "auto";
   double recut_above = 0.1;         ///< of h
   double hold_below = 1e-3;         ///< of h
-  double participant_timeout = 10;  ///< [s] without any sign of life
+  double participant_timeout = 30;  ///< [s] without any sign of life
 
   static constexpr std::array<std::string_view, 4> schemes{"auto", "implicit", "semi_implicit", "explicit"};
   static constexpr std::array<std::string_view, 4> accelerations{"constant", "aitken", "iqn-ils", "iqn-imvj"};
@@ -72,8 +72,9 @@ struct Coupling {
          "a free body that stays this close to where it was last cut, in element sizes beside it, is not cut "
          "anew: while all do, the matrix keeps its factor; 0: every step cuts"},
         hold_below, not_negative());
-    v.real({"participant_timeout", "s", "a participant silent for this long has vanished"},
-           participant_timeout, between(1, 3600));
+    v.real({"participant_timeout", "s",
+            "who is silent for this long has vanished: a participant to the coupler, and the coupler to it"},
+           participant_timeout, between(1, 86400));
   }
 };
 

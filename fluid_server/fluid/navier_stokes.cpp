@@ -88,6 +88,9 @@ NewtonResult NavierStokes::start_step(const Request& request) {
     monitor.phase("interface");
     system_ = std::make_shared<System>(space_, settings_.fluid, std::move(interfaces),
                                        system_ ? system_->cut() : CutMesh{}, monitor.ledger);
+    require(!system_->active_cells().empty(),
+            "some of the mesh must be left to the fluid; the bodies cover all of its {} elements",
+            space_.mesh.n_cells());
   }
   system_->want_resistance(request.wants_resistance);
   if (!accepted_system_) check_held(request.time_step == 0);

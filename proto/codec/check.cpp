@@ -7,9 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "proto/codec.hpp"
 #include "proto/codec/members.hpp"
 
@@ -50,6 +52,7 @@ void rules(const Place& at, const Hello& hello) {
 
 void rules(const Place& at, const Welcome& welcome) {
   demand(welcome.heartbeat_interval > 0, at, "heartbeat_interval", "> 0 s", welcome.heartbeat_interval);
+  demand(welcome.silence_timeout > 0, at, "silence_timeout", "> 0 s", welcome.silence_timeout);
 }
 
 void rules(const Place& at, const ArcLength& arc) {
@@ -136,7 +139,24 @@ void rules(const Place& at, const DemAdvanced& advanced) {
   demand(advanced.largest_overlap >= 0, at, "largest_overlap", ">= 0 m", advanced.largest_overlap);
 }
 
+/// A name that files and paths inside them take.
+void demand_word(const Place& at, const std::string& name) {
+  const auto is_plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  demand(!name.empty() && std::ranges::all_of(name, is_plain), at, "name", "a word of letters, digits and _",
+         name);
+}
+
+/// Each name is a place in a file.
+template <class Named>
+void demand_different(const Place& at, std::string_view member, const std::vector<Named>& list) {
+  std::set<std::string_view> names;
+  for (const Named& item : list)
+    demand(names.insert(item.name).second, at, member, "of different names",
+           fmt::format("\"{}\" again", item.name));
+}
+
 void rules(const Place& at, const Field& field) {
+  demand_word(at, field.name);
   demand(field.components > 0, at, "components", "> 0", field.components);
   demand(field.values.size() % field.components == 0, at, "values",
          fmt::format("a multiple of components ({})", field.components), field.values.size());
@@ -150,6 +170,7 @@ void indices_below(std::size_t n_points, const Place& at, std::string_view membe
 }
 
 void rules(const Place& at, const Curve& curve) {
+  demand(!curve.name.empty(), at, "name", "given", "none");
   demand(curve.points.size() % 3 == 0, at, "points", "x, y, z of each point", curve.points.size());
   demand(curve.lines.size() % 3 == 0, at, "lines", "3 indices each", curve.lines.size());
   const std::size_t n_points = curve.points.size() / 3;
@@ -160,15 +181,17 @@ void rules(const Place& at, const Curve& curve) {
 }
 
 void rules(const Place& at, const Sheet& table) {
-  const auto is_plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  demand(!table.name.empty() && std::ranges::all_of(table.name, is_plain), at, "name",
-         "a word of letters, digits and _", table.name);
+  demand_word(at, table.name);
   const std::size_t columns = table.columns.size();
   demand(columns > 0 && table.values.size() % columns == 0, at, "values",
          "rows of one number or more a column", table.values.size());
 }
 
 void rules(const Place& at, const Fields& fields) {
+  demand_different(at, "fields", fields.fields);
+  demand_different(at, "boundaries", fields.boundaries);
+  demand_different(at, "profiles", fields.profiles);
+  demand_different(at, "tables", fields.tables);
   demand(fields.points.size() % 3 == 0, at, "points", "x, y, z of each point", fields.points.size());
   demand(fields.cells.size() % 6 == 0, at, "cells", "6 indices each", fields.cells.size());
   const std::size_t n_points = fields.points.size() / 3, n_cells = fields.cells.size() / 6;
@@ -188,14 +211,10 @@ void rules(const Place& at, const Heartbeat& heartbeat) {
 
 // ---- the walk -----------------------------------------------------------------------------------
 
-bool printable(const std::string& text) {
-  return std::none_of(text.begin(), text.end(), [](unsigned char c) {
-    return (c < 0x20 && c != '\n' && c != '\t' && c != '\r') || c == 0x7f;
-  });
-}
-
 void walk(const Place& at, const std::string& text) {
-  if (!printable(text)) fail("{} must be text without control characters; got some", at.text());
+  if (!is_printable(text))
+    fail("{} must be UTF-8 text without control characters; got \"{}\"", at.text(),
+         printable(text.substr(0, 80)));
 }
 
 void walk(const Place& at, double value) {

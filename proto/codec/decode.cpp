@@ -26,15 +26,18 @@ class Reader {
   }
   template <class T>
   std::vector<T> numbers(const flatbuffers::Vector<T>* list) {
-    if (!list) return {};
+    if (!list || list->size() == 0) return {};
+    require_aligned<T>(list->Data());
     take(list->size() * sizeof(T));
     return {list->data(), list->data() + list->size()};
   }
   template <class Wire>
   auto list(const flatbuffers::Vector<Wire>* items) {
     std::vector<decltype(unpack(*this, items->Get(0)))> unpacked;
-    if (!items) return unpacked;
-    take(items->size() * sizeof(Wire));
+    if (!items || items->size() == 0) return unpacked;
+    using Element = std::remove_cv_t<std::remove_pointer_t<Wire>>;  // a struct lies there itself
+    require_aligned<Element>(items->Data());
+    take(items->size() * sizeof(Element));
     unpacked.reserve(items->size());
     for (const auto* item : *items) unpacked.push_back(unpack(*this, item));
     return unpacked;
@@ -45,6 +48,13 @@ class Reader {
   }
 
  private:
+  /// The verifier looks at where a list begins, which is the place of its length, not at its elements.
+  template <class T>
+  static void require_aligned(const std::uint8_t* first) {
+    require(reinterpret_cast<std::uintptr_t>(first) % alignof(T) == 0,
+            "lists must be aligned to their elements of {} B; one is not", alignof(T));
+  }
+
   std::size_t left_;
 };
 
@@ -117,7 +127,9 @@ Hello unpack(Reader& r, const wire::Hello* w) {
           r.text(w->program_version()), r.list(w->capabilities()), w->schema_fingerprint(),
           w->scene_fingerprint()};
 }
-Welcome unpack(Reader&, const wire::Welcome* w) { return {w->scene_fingerprint(), w->heartbeat_interval()}; }
+Welcome unpack(Reader&, const wire::Welcome* w) {
+  return {w->scene_fingerprint(), w->heartbeat_interval(), w->silence_timeout()};
+}
 Refusal unpack(Reader& r, const wire::Refusal* w) { return {r.text(w->reason())}; }
 Configure unpack(Reader& r, const wire::Configure* w) {
   return {r.text(w->scene()), r.list(w->files()), r.numbers(w->state())};

@@ -88,7 +88,7 @@ auto pack(Builder& b, const Hello& m) {
                            m.scene_fingerprint);
 }
 auto pack(Builder& b, const Welcome& m) {
-  return wire::CreateWelcome(b, m.scene_fingerprint, m.heartbeat_interval);
+  return wire::CreateWelcome(b, m.scene_fingerprint, m.heartbeat_interval, m.silence_timeout);
 }
 auto pack(Builder& b, const Refusal& m) { return wire::CreateRefusal(b, text(b, m.reason)); }
 auto pack(Builder& b, const Configure& m) {

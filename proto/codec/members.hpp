@@ -35,6 +35,7 @@ template <>
 inline constexpr auto members_of<Welcome> = std::tuple{
     member("scene_fingerprint", &Welcome::scene_fingerprint),
     member("heartbeat_interval", &Welcome::heartbeat_interval),
+    member("silence_timeout", &Welcome::silence_timeout),
 };
 template <>
 inline constexpr auto members_of<Refusal> = std::tuple{member("reason", &Refusal::reason)};

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/log.hpp"
+#include "core/text.hpp"
 
 namespace fpi::proto {
 
@@ -34,7 +35,7 @@ void Exits::take_line(const std::string& line) {
   if (words >> verb >> role >> status && verb == "exited")
     status_[role] = status;
   else
-    log::warning("a line \"exited ROLE STATUS\" was expected on standard input; got \"{}\"", line);
+    log::warning("a line \"exited ROLE STATUS\" was expected on standard input; got \"{}\"", printable(line));
 }
 
 std::optional<int> Exits::of(const std::string& role) const {

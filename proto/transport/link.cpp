@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <tuple>
 
 #include "core/error.hpp"
@@ -31,13 +30,7 @@ Link::Link(const Connection& connection, const std::string& role, const Progress
   if (zmq_socket_monitor(wire_.handle(), "inproc://connection", watched_events) != 0) throw zmq::error_t();
   monitor_.connect("inproc://connection");
 
-  set_limits(wire_);
-  // ZeroMQ's own pings are answered by the coupler's ZeroMQ threads, however busy the coupler is.
-  const int silence = std::max(1, static_cast<int>(connection.silence_timeout * 1000));
-  wire_.set(zmq::sockopt::heartbeat_ivl, std::max(1, silence / 3));
-  wire_.set(zmq::sockopt::heartbeat_timeout, silence);
-  wire_.set(zmq::sockopt::ipv6, connection.address.find('[') != std::string::npos);
-  if (!connection.keys.empty()) secure_participant(wire_, connection.keys);
+  prepare_participant(wire_, connection);
   try {
     wire_.connect(connection.address);
   } catch (const zmq::error_t& e) {
@@ -83,8 +76,9 @@ void Link::turn() {
   poll(items, std::min(heartbeat_interval_, 0.5) / 2);
   // Messages before events: a coupler that says goodbye and closes has not vanished.
   while (const auto frames = receive(wire_)) handle(*frames);
-  while (const auto frames = receive(monitor_)) handle_event(*frames);
+  while (const auto event = next_event(monitor_)) handle_event(*event);
   forward_answers();
+  if (pulse_ && pulse_->has_stopped()) lose("it gave no sign of life");
   beat();
   watch_the_clock();
 }
@@ -113,40 +107,39 @@ void Link::handle(const Frames& frames) {
     welcomed_ = true;
     heartbeat_interval_ = welcome->heartbeat_interval;
     stamp_ = envelope.stamp;
+    pulse_.emplace(context_, connection_, welcome->silence_timeout);
   } else if (!std::holds_alternative<Heartbeat>(envelope.message)) {
     stamp_ = envelope.stamp;
     post(std::move(envelope));
   }
 }
 
-/// An event is a number of two bytes and a value of four, in the machine's own order.
-void Link::handle_event(const Frames& frames) {
-  std::uint16_t event = 0;
-  std::uint32_t value = 0;
-  if (frames[0].size() < sizeof event + sizeof value) return;
-  std::memcpy(&event, frames[0].data(), sizeof event);
-  std::memcpy(&value, frames[0].data<char>() + sizeof event, sizeof value);
-  if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
+void Link::handle_event(const ConnectionEvent& event) {
+  if (event.kind == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
     if (!welcomed_) join();
-  } else if (event == ZMQ_EVENT_DISCONNECTED) {
-    if (!welcomed_) return;  // ZeroMQ tries again
-    wire_.set(zmq::sockopt::linger, 0);
-    post(Ending{vanished, "the coupler vanished: its connection is closed"});
+  } else if (event.kind == ZMQ_EVENT_DISCONNECTED) {
+    if (welcomed_) lose("its connection is closed");  // before, ZeroMQ tries again
   } else {
-    post(Ending{refused, handshake_failure(event, value)});
+    post(Ending{refused, handshake_failure(event)});
   }
 }
 
-std::string Link::handshake_failure(int event, std::uint32_t detail) const {
+void Link::lose(const char* sign) {
+  wire_.set(zmq::sockopt::linger, 0);
+  post(Ending{vanished, fmt::format("the coupler vanished: {}", sign)});
+}
+
+std::string Link::handshake_failure(const ConnectionEvent& event) const {
   const auto& [address, keys] = std::tie(connection_.address, connection_.keys);
-  if (event == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH)
+  if (event.kind == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH)
     return fmt::format(
-        "the coupler at {} does not know this key: participant.public must be the same there as in {}",
-        address, keys);
-  if (detail == ZMQ_PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH)
+        "the coupler at {} refused: {}", address,
+        keys.empty() ? "this is not the token of its run: name the file that this coupler wrote"
+                     : "it does not know this key: participant.public must be the same there as in " + keys);
+  if (event.detail == ZMQ_PROTOCOL_ERROR_ZMTP_MECHANISM_MISMATCH)
     return keys.empty()
-               ? fmt::format("the coupler at {} asks for keys: give --keys DIR", address)
-               : fmt::format("the coupler at {} uses no keys: leave --keys out here or give it there",
+               ? fmt::format("the coupler at {} asks for keys: give --keys DIR in place of --token", address)
+               : fmt::format("the coupler at {} uses no keys: give --token FILE here, or --keys DIR there",
                              address);
   return keys.empty() ? fmt::format("what listens at {} is no coupler: check the address", address)
                       : fmt::format(

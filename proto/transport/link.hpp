@@ -12,6 +12,7 @@
 
 #include "proto/messages.hpp"
 #include "proto/participant.hpp"
+#include "proto/transport/pulse.hpp"
 #include "proto/transport/socket.hpp"
 
 namespace fpi::proto {
@@ -41,8 +42,9 @@ class Link {
   void turn();
   void forward_answers();
   void handle(const Frames& frames);
-  void handle_event(const Frames& frames);
-  std::string handshake_failure(int event, std::uint32_t detail) const;
+  void handle_event(const ConnectionEvent& event);
+  void lose(const char* sign);
+  std::string handshake_failure(const ConnectionEvent& event) const;
   void join();
   void beat();
   void watch_the_clock();
@@ -55,6 +57,7 @@ class Link {
   zmq::context_t context_;
   zmq::socket_t wire_{context_, ZMQ_DEALER};
   zmq::socket_t monitor_{context_, ZMQ_PAIR};  ///< what happens to the connection
+  std::optional<Pulse> pulse_;                 ///< once the coupler has said how long it may be silent
   zmq::socket_t inner_{context_, ZMQ_PAIR};    ///< answers, the thread's end
   zmq::socket_t outer_{context_, ZMQ_PAIR};    ///< answers, the solver's end; an empty one is the last
 

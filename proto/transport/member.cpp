@@ -17,6 +17,14 @@ std::string Member::where() const {
   return fmt::format("in phase \"{}\" of step {}, sub-iteration {}", phase, stamp.step, stamp.sub_iteration);
 }
 
+std::string Member::foreign(const Stamp& theirs, const Message& message) const {
+  const auto words = [](const Stamp& s) {
+    return fmt::format("run {:016x}, step {}, sub-iteration {}", s.run, s.step, s.sub_iteration);
+  };
+  return fmt::format("answered {} of {} with {} of {}; an answer repeats the stamp of its request", asked,
+                     words(stamp), name(message), words(theirs));
+}
+
 std::string objection(const Hello& hello, const std::vector<std::string>& roles, const Members& members,
                       const HostOptions& options) {
   constexpr std::array<std::string_view, 2> known_roles{"fluid", "dem"};

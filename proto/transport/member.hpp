@@ -14,13 +14,13 @@ namespace fpi::proto {
 /// A participant that was welcomed.
 struct Member {
   Hello hello{};
-  std::string peer{};  ///< routing id of its connection
-  Clock::time_point last_seen = Clock::now();
+  std::string peer{};    ///< routing id of its connection
+  double last_seen = 0;  ///< [s] by the coupler's AttentiveClock
   std::string phase = "start";
-  Stamp stamp{};                              ///< of the last request
-  const char* asked = "nothing yet";          ///< name of the last request
-  std::optional<Message> answer{};            ///< to it
-  std::optional<Clock::time_point> ending{};  ///< since when we know that it has ended
+  Stamp stamp{};                      ///< of the last request
+  const char* asked = "nothing yet";  ///< name of the last request
+  std::optional<Message> answer{};    ///< to it
+  std::optional<double> ending{};     ///< [s] since when we know that it has ended
   bool gone = false;
   Figures last_figures{};
 
@@ -28,6 +28,8 @@ struct Member {
   std::string who() const;
   /// E.g. "in phase "factor" of step 12, sub-iteration 3".
   std::string where() const;
+  /// What is wrong with an answer that belongs to another request.
+  std::string foreign(const Stamp& theirs, const Message& message) const;
 };
 using Members = std::map<std::string, Member>;  ///< by role
 

@@ -1,6 +1,7 @@
 #include "proto/transport/socket.hpp"
 
 #include <cerrno>
+#include <cstring>
 
 #include "proto/codec.hpp"
 
@@ -28,7 +29,7 @@ void set_limits(zmq::socket_t& socket) {
 }
 
 std::optional<Frames> receive(zmq::socket_t& socket) {
-  constexpr std::size_t most = 9;
+  constexpr std::size_t most = 10;  // of ZAP: a question with name and password
   Frames frames;
   for (bool more = true; more;) {
     zmq::message_t frame;
@@ -54,6 +55,20 @@ Sent send(zmq::socket_t& socket, Frames frames, zmq::send_flags flags) {
     throw;
   }
   return Sent::yes;
+}
+
+/// An event is a number of two bytes and a value of four, in the machine's own order.
+std::optional<ConnectionEvent> next_event(zmq::socket_t& monitor) {
+  const auto frames = receive(monitor);
+  if (!frames) return std::nullopt;
+  std::uint16_t kind = 0;
+  ConnectionEvent event;
+  const zmq::message_t& frame = frames->front();
+  if (frame.size() < sizeof kind + sizeof event.detail) return event;
+  std::memcpy(&kind, frame.data(), sizeof kind);
+  std::memcpy(&event.detail, frame.data<char>() + sizeof kind, sizeof event.detail);
+  event.kind = kind;
+  return event;
 }
 
 void poll(std::span<zmq_pollitem_t> items, double seconds) {

@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "core/log.hpp"
+#include "core/text.hpp"
 #include "proto/transport/address.hpp"
 
 namespace fpi::proto {
@@ -16,19 +17,22 @@ constexpr double display_interval = 0.1;  ///< [s]
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "it is set in a signal handler");
 
+const HostOptions& checked(const HostOptions& options) {
+  require_usable(options.address, options.keys);
+  return options;
+}
+
 }  // namespace
 
 void Switchboard::interrupt() noexcept { interrupted = true; }
 
-Switchboard::Switchboard(const HostOptions& options) : options_(options) {
-  require_usable(options.address, options.keys);
+Switchboard::Switchboard(const HostOptions& options)
+    : options_(checked(options)), doorkeeper_(context_, options) {
   set_limits(router_);
   router_.set(zmq::sockopt::router_mandatory, true);  // say so when a peer is not there any more
   router_.set(zmq::sockopt::ipv6, options.address.find('[') != std::string::npos);
-  if (!options.keys.empty()) {
-    doorkeeper_.emplace(context_, options.keys);
-    secure_coupler(router_, options.keys);
-  }
+  router_.set(zmq::sockopt::handshake_ivl, static_cast<int>(options.handshake_timeout * 1000));
+  secure_coupler(router_, options);
   try {
     router_.bind(options.address);
   } catch (const zmq::error_t& e) {
@@ -37,18 +41,13 @@ Switchboard::Switchboard(const HostOptions& options) : options_(options) {
   }
 }
 
-void Switchboard::start_waiting() {
-  for (auto& [role, member] : members) member.last_seen = Clock::now();
-}
-
 void Switchboard::turn(const std::function<void()>& while_waiting) {
   std::vector<zmq_pollitem_t> items{reading(router_)};
-  if (doorkeeper_) items.push_back(reading(doorkeeper_->socket()));
   const bool watch = options_.watch_stdin && !exits.launcher_gone();
   if (watch) items.push_back({nullptr, STDIN_FILENO, ZMQ_POLLIN, 0});
   poll(items, std::min(options_.heartbeat_interval, display_interval) / 2);
 
-  if (doorkeeper_) doorkeeper_->answer();
+  clock.tick();
   if (watch && items.back().revents != 0) exits.read();
   if (const auto frames = receive(router_)) handle(*frames);
   beat();
@@ -77,7 +76,7 @@ void Switchboard::handle_member(Member& member, Letter letter) {
   if (const auto* malformed = std::get_if<Malformed>(&letter))
     lose(member, fmt::format("sent a message that cannot be used ({})", malformed->reason));
   auto& [stamp, message] = std::get<Envelope>(letter);
-  member.last_seen = Clock::now();
+  member.last_seen = clock.now();
   if (const auto* heartbeat = std::get_if<Heartbeat>(&message)) {
     member.phase = heartbeat->phase;
   } else if (const auto* failure = std::get_if<Failure>(&message)) {
@@ -89,7 +88,7 @@ void Switchboard::handle_member(Member& member, Letter letter) {
   } else if (stamp == member.stamp) {
     member.answer = std::move(message);
   } else {
-    log::debug("dropped a late {} of {}", name(message), member.who());
+    lose(member, member.foreign(stamp, message));
   }
 }
 
@@ -107,14 +106,17 @@ void Switchboard::welcome(const std::string& peer, const Hello& hello) {
   member.hello = hello;
   member.peer = peer;
   member.stamp.run = options_.run;
-  send_to(member, Welcome{options_.scene_fingerprint, options_.heartbeat_interval});
+  member.last_seen = clock.now();
+  send_to(member, Welcome{options_.scene_fingerprint, options_.heartbeat_interval, options_.silence_timeout});
   log::info("{} has joined", member.who());
 }
 
 void Switchboard::refuse(const std::string& peer, const std::string& role, const std::string& reason) {
   if (std::ranges::find(roles_, role) != roles_.end()) refused[role] = reason;
-  log::warning("refused a program for the role {}: {}", role, reason);
-  send_to(peer, {{options_.run, 0, 0}, Refusal{reason}});
+  if (refusals_.add())
+    log::warning("refused a program for the role {}: {}{}", role, reason,
+                 refusals_.count() == 1 ? "" : fmt::format(" ({} refused so far)", refusals_.count()));
+  send_to(peer, {{options_.run, 0, 0}, Refusal{printable(reason)}});
 }
 
 // ---- who lives ----------------------------------------------------------------------------------
@@ -129,7 +131,7 @@ void Switchboard::beat() {
 
 void Switchboard::send_to(Member& member, const Message& message) {
   const Sent sent = send_to(member.peer, {member.stamp, message});
-  if (sent == Sent::nobody && !member.ending) member.ending = Clock::now();
+  if (sent == Sent::nobody && !member.ending) member.ending = clock.now();
 }
 
 Sent Switchboard::send_to(const std::string& peer, const Envelope& envelope) {
@@ -144,10 +146,10 @@ Sent Switchboard::send_to(const std::string& peer, const Envelope& envelope) {
 void Switchboard::look_after(Member& member) {
   if (member.gone) return;
   const std::optional<int> status = exits.of(member.hello.role);
-  if (status && !member.ending) member.ending = Clock::now();
-  if (member.ending && since(*member.ending) > last_words)
+  if (status && !member.ending) member.ending = clock.now();
+  if (member.ending && clock.since(*member.ending) > last_words)
     lose(member, status ? describe_exit(*status) : "has closed its connection");
-  if (since(member.last_seen) > options_.silence_timeout)
+  if (clock.since(member.last_seen) > options_.silence_timeout)
     lose(member, fmt::format("gave no sign of life for {} s", options_.silence_timeout));
 }
 

@@ -10,10 +10,12 @@
 
 #include "proto/codec.hpp"
 #include "proto/host.hpp"
+#include "proto/transport/attentive_clock.hpp"
 #include "proto/transport/exits.hpp"
 #include "proto/transport/member.hpp"
 #include "proto/transport/security.hpp"
 #include "proto/transport/socket.hpp"
+#include "proto/transport/tally.hpp"
 
 namespace fpi::proto {
 
@@ -26,12 +28,11 @@ class Switchboard {
   /// Programs for these roles are welcome from now on.
   void expect(const std::vector<std::string>& roles) { roles_ = roles; }
 
-  /// Between waits nothing is read, so silence counts from the start of a wait.
-  void start_waiting();
   /// Throws ParticipantLost and Interrupted.
   void turn(const std::function<void()>& while_waiting);
   void send_to(Member& member, const Message& message);
 
+  AttentiveClock clock;  ///< of turns: silence while nothing was read does not count
   Members members;
   Exits exits;
   std::map<std::string, std::string> refused;  ///< why, by role; for the error when nobody joins
@@ -52,9 +53,10 @@ class Switchboard {
 
   const HostOptions options_;
   zmq::context_t context_;
-  std::optional<Doorkeeper> doorkeeper_;
+  Doorkeeper doorkeeper_;
   zmq::socket_t router_{context_, ZMQ_ROUTER};
   std::vector<std::string> roles_;
+  Tally refusals_;
   Clock::time_point last_beat_{}, last_display_{};
 };
 

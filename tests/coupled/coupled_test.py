@@ -1,8 +1,13 @@
 #!/usr/bin/python3
 """Three real processes: the coupler, a fluid and dem_server. `coupled_test.py NAME` runs one test, as CTest does."""
 
+import contextlib
 import math
+import resource
 import shutil
+import signal
+import socket
+import stat
 import tempfile
 import time
 import unittest
@@ -16,6 +21,20 @@ KEYS = {"status", "reason", "steps", "steps_before", "sub_iterations", "newton_i
         "errors", "counts", "grains", "coupling", "outlets", "onset", "version", "scene_fingerprint", "percolation",
         "force_balance", "volume_balance", "drives"}
 SECONDS = {"total", "mesh", "assembly", "factor", "solve", "interface", "dem", "coupling", "output"}
+
+
+def raise_own_limit(files):
+    """Lets this process have so many files open."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (max(soft, files), hard))
+
+
+def pause(processes, seconds):
+    for process in processes:
+        process.send_signal(signal.SIGSTOP)
+    time.sleep(seconds)
+    for process in processes:
+        process.send_signal(signal.SIGCONT)
 
 
 class Coupled(unittest.TestCase):
@@ -98,6 +117,51 @@ class Coupled(unittest.TestCase):
         self.assertEqual(run.summary["status"], "completed")
         for role, folder in folders.items():
             self.assertEqual({path.name for path in folder.iterdir()}, {"keys", f"{role}.log"})
+
+    def test_the_token_of_a_run_is_private_secret_and_gone_with_it(self):
+        with CoupledRun(self.folder, toy_scene()) as run:
+            file = Path(run.token_file)
+            token = file.read_text().strip()
+            self.assertEqual((file, stat.S_IMODE(file.stat().st_mode)), (run.out / ".token", 0o600))
+            for process in (run.coupler, *run.participants.values()):
+                self.assertNotIn(token, Path(f"/proc/{process.pid}/cmdline").read_text())
+            self.assertEqual(run.wait(), 0, run.log())
+        self.assertFalse(file.exists())
+        for log in (*self.folder.glob("*.log"), *run.out.glob("*.*")):
+            self.assertNotIn(token.encode(), log.read_bytes(), log)
+
+    def test_a_thousand_idle_connections_end_no_run(self):
+        with contextlib.ExitStack() as strangers:
+            raise_own_limit(1200)
+            with CoupledRun(self.folder, toy_scene(step=1e-4, checkpoint_every=20), most_files=256) as run:
+                where = ("127.0.0.1", int(run.address.rpartition(":")[2]))
+                for _ in range(1000):
+                    strangers.enter_context(socket.create_connection(where, timeout=10))
+                self.assertEqual(run.wait(), 0, run.log())
+        self.assertEqual(run.summary["status"], "completed")
+        self.assertEqual(run.log().count(" warning"), 0)
+
+    def test_a_coupler_that_was_stopped_goes_on(self):
+        with CoupledRun(self.folder, toy_scene(step=1e-4, timeout=5)) as run:
+            run.wait_for_step(20)
+            pause([run.coupler], 3)
+            self.assertEqual(run.wait(), 0, run.log())
+
+    def test_a_run_that_stood_still_as_a_whole_goes_on(self):
+        with CoupledRun(self.folder, toy_scene(step=1e-4, timeout=1)) as run:
+            run.wait_for_step(20)
+            pause([run.coupler, *run.participants.values()], 3)
+            self.assertEqual(run.wait(), 0, run.log())
+
+    def test_participants_wait_for_their_coupler_as_long_as_the_scene_says(self):
+        with CoupledRun(self.folder, toy_scene(step=1e-5, timeout=1)) as run:
+            run.wait_for_step(20)
+            run.coupler.send_signal(signal.SIGSTOP)
+            start = time.monotonic()
+            self.assertEqual({process.wait(timeout=20) for process in run.participants.values()}, {3})
+            self.assertLess(time.monotonic() - start, 6)
+        for role in run.participants:
+            self.assertIn("the coupler vanished: it gave no sign of life", (self.folder / f"{role}.log").read_text())
 
     def test_an_open_address_without_keys_is_refused(self):
         with CoupledRun(self.folder, toy_scene(), extra=["--listen", "tcp://0.0.0.0:*"]) as run:

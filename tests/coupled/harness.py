@@ -173,7 +173,7 @@ class CoupledRun:
     """A coupler and the participants that its plan asks for, each a process in a folder of its own."""
 
     def __init__(self, folder, scene, extra=(), resume=False, participant_options=(), participant_folders=None,
-                 environment=None, coupler_environment=None):
+                 environment=None, coupler_environment=None, most_files=None):
         self.folder = Path(folder)
         self.folder.mkdir(exist_ok=True)
         self.out = self.folder / "run"
@@ -185,17 +185,31 @@ class CoupledRun:
         plan = json.loads(run_coupler("--plan", scene_file, *overrides).stdout)
         command = [BIN / "coupler", "--out", self.out, "--watch-stdin", *extra]
         command += ["--resume"] if resume else ["--scene", scene_file]
+        if most_files:  # as where a shell's soft limit is low
+            command = ["/bin/sh", "-c", f'ulimit -Sn {most_files}; exec "$@"', "sh", *command]
         self.coupler = start(command, self.folder, coupler_environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-        address = self.coupler.stdout.readline().split()
-        if address[:1] != ["address"]:
+        said = self.hear_until_address()
+        if "address" not in said:
             return
+        self.address, self.token_file = said["address"], said.get("token", "")
+        token = ["--token", self.token_file] if self.token_file else []
         for participant in plan["participants"]:
             role = participant["role"]
             program = participant["command"] or {"fluid": BIN / "fluid_server", "dem": BIN / "dem_server"}[role]
             folder = (participant_folders or {}).get(role, self.folder)
             self.participants[role] = start(
-                [program, "--connect", address[1], "--scene", plan["scene_fingerprint"], "--log", f"{role}.log",
+                [program, "--connect", self.address, *token, "--scene", plan["scene_fingerprint"], "--log", f"{role}.log",
                  *participant_options], folder, environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+
+    def hear_until_address(self):
+        """What the coupler says by first word, up to its address."""
+        said = {}
+        for line in self.coupler.stdout:
+            word, _, rest = line.strip().partition(" ")
+            said[word] = rest
+            if word == "address":
+                break
+        return said
 
     def __enter__(self):
         return self

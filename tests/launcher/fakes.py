@@ -43,6 +43,8 @@ if what.startswith("die"):
 signal.signal(signal.SIGINT, signal.SIG_IGN if what == "hang" else lambda *_: end(1, "interrupted"))
 print(" ".join(words))
 address = words[words.index("--listen") + 1] if "--listen" in words else "tcp://127.0.0.1:5999"
+if "--keys" not in words:
+    print("token " + os.path.join(out, ".token"))
 print("address " + address, flush=True)
 print('progress {"step": 1, "steps": 3, "time": 0.1, "end": 0.3, "sub_iterations": 2, "text": "step 1 of 3"}', flush=True)
 for line in sys.stdin:

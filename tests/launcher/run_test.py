@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import unittest
 import unittest.mock
@@ -17,10 +18,10 @@ class Running(FakeTest):
         self.assertIn("completed", out)
         self.assertIn("summary.json", out)
 
-    def test_participants_get_address_log_and_fingerprint(self):
+    def test_participants_get_address_token_log_and_fingerprint(self):
         self.fpi("run", "drop.toml", "--out", "r")
         self.assertEqual((self.folder / "pid.words").read_text(),
-                         "--connect tcp://127.0.0.1:5999 --scene 7 --log r/fluid_server.log")
+                         "--connect tcp://127.0.0.1:5999 --scene 7 --token r/.token --log r/fluid_server.log")
 
     def test_the_coupler_gets_overrides_address_and_keys(self):
         _, out, _ = self.fpi("run", "drop.toml", "--out", "r", "--set", "a.b=1", "--set", "c=2", "--listen",
@@ -48,13 +49,14 @@ class Running(FakeTest):
 
     def test_an_external_program_is_not_started_but_its_whole_command_is_shown(self):
         for command, words, expected in (
-                ("", [], "fluid_server --connect tcp://127.0.0.1:5999 --scene 7"),
-                ("my_solver --fast", [], "my_solver --fast --connect tcp://127.0.0.1:5999 --scene 7"),
+                ("", [], "fluid_server --connect tcp://127.0.0.1:5999 --scene 7 --token r/.token"),
+                ("my_solver --fast", [], "my_solver --fast --connect tcp://127.0.0.1:5999 --scene 7 --token r/.token"),
                 ("", ["--listen", "tcp://0.0.0.0:5555", "--keys", "k"],
                  "fluid_server --connect tcp://HOST:5555 --scene 7 --keys k"),
-                ("", ["--listen", "tcp://*:5555"], "fluid_server --connect tcp://HOST:5555 --scene 7")):
+                ("", ["--listen", "tcp://*:5555"], "fluid_server --connect tcp://HOST:5555 --scene 7 --token r/.token")):
             self.scene(json.dumps([{"role": "fluid", "command": command, "external": True}]))
-            process = self.start("run", "drop.toml", *words)
+            shutil.rmtree(self.folder / "r", ignore_errors=True)
+            process = self.start("run", "drop.toml", "--out", "r", *words)
             lines = [process.stdout.readline() for _ in range(3)]
             process.send_signal(signal.SIGINT)
             process.communicate(timeout=60)
@@ -166,6 +168,17 @@ class Ending(FakeTest):
         self.assertEqual((status, json.loads(out)["reason"]),
                          (1, "coupler was killed by signal 9 (SIGKILL); `./fpi resume r` continues from the last "
                              "checkpoint"))
+
+    def test_a_program_that_stands_still_is_named_and_so_is_that_it_goes_on(self):
+        process = self.start("run", "drop.toml", "--quiet", fluid="hang")
+        pid = self.fluid_pid()
+        os.kill(pid, signal.SIGSTOP)
+        self.assertEqual(process.stderr.readline(),
+                         f"fluid is stopped (process {pid}); it goes on after: kill -CONT {pid}\n")
+        os.kill(pid, signal.SIGCONT)
+        self.assertEqual(process.stderr.readline(), "fluid goes on\n")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.communicate(timeout=60)[1], "")
 
     def test_nothing_outlives_a_killed_launcher(self):
         process = self.start("run", "drop.toml", fluid="hang")

@@ -3,9 +3,11 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include "../temporary_folder.hpp"
 #include "core/error.hpp"
 #include "dem_service.hpp"
 #include "proto/host.hpp"
+#include "proto/token.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -116,9 +118,10 @@ TEST(DemService, refuses_what_it_cannot_do) {
 /// dem_server, started with `address`.
 class Process {
  public:
-  explicit Process(const std::string& address) {
-    std::string program = DEM_SERVER, connect = "--connect", where = address;
-    char* arguments[] = {program.data(), connect.data(), where.data(), nullptr};
+  Process(std::string address, std::string token_file) {
+    std::string program = DEM_SERVER, connect = "--connect", token = "--token";
+    char* arguments[] = {program.data(), connect.data(),    address.data(),
+                         token.data(),   token_file.data(), nullptr};
     if (posix_spawn(&id_, DEM_SERVER, nullptr, nullptr, arguments, environ) != 0)
       fail("cannot start {}", DEM_SERVER);
   }
@@ -135,8 +138,11 @@ class Process {
 TEST(DemServer, serves_a_host_until_goodbye) {
   proto::HostOptions options;
   options.run = 7;
+  const TemporaryFolder folder;
+  const proto::TokenFile token(folder.path());
+  options.token = token.token();
   proto::Host host(options);
-  Process process(host.address());
+  Process process(host.address(), token.path());
   const std::vector<proto::Hello> hellos = host.admit({"dem"}, {false});
   EXPECT_EQ(hellos.at(0).capabilities,
             (std::vector<std::string>{"checkpoint", "added_inertia", "resistance"}));

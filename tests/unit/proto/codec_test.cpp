@@ -110,6 +110,33 @@ TEST(Codec, refuses_parts_that_are_used_again) {
             "every part must be given once; the same bytes are used again");
 }
 
+/// An Envelope of a DemAdvanced whose list of `n` elements of `size` bytes begins 4 bytes off their
+/// alignment: FlatBuffers' verifier looks at the place of its length only.
+Bytes with_misaligned_list(flatbuffers::voffset_t member, std::size_t size, std::uint8_t type) {
+  flatbuffers::FlatBufferBuilder b;
+  b.ForceVectorAlignment(size + 4, 1, 8);  // a length, then elements that are not where they should be
+  b.PushBytes(Bytes(size, 0).data(), size);
+  b.PushElement<flatbuffers::uoffset_t>(1);
+  const flatbuffers::Offset<void> list(b.GetSize());
+  const auto body = b.StartTable();
+  b.AddOffset(member, list);
+  const flatbuffers::Offset<void> message(b.EndTable(body));
+  const auto envelope = b.StartTable();
+  b.AddElement<std::uint8_t>(10, type, 0);
+  b.AddOffset(12, message);
+  b.Finish(flatbuffers::Offset<void>(b.EndTable(envelope)), "FPI1");
+  return {b.GetBufferPointer(), b.GetBufferPointer() + b.GetSize()};
+}
+
+TEST(Codec, refuses_lists_that_are_not_aligned) {
+  constexpr std::uint8_t dem_advance = 8, dem_advanced = 9;
+  constexpr std::size_t motion = 112;
+  EXPECT_EQ(reason(with_misaligned_list(8, motion, dem_advanced)),
+            "lists must be aligned to their elements of 8 B; one is not");
+  EXPECT_EQ(reason(with_misaligned_list(12, 8, dem_advance)),
+            "lists must be aligned to their elements of 8 B; one is not");
+}
+
 TEST(Codec, refuses_numbers_that_are_not_finite_and_says_where) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
@@ -135,8 +162,17 @@ TEST(Codec, refuses_what_breaks_a_rule) {
   };
   const std::vector<std::pair<Message, std::string>> cases{
       {Hello{.role = std::string(201, 'x')}, "at most 200 bytes"},
-      {Hello{.role = "\x1b[31m"}, "Hello.role must be text without control characters"},
+      {Hello{.role = "\x1b[31m"}, "Hello.role must be UTF-8 text without control characters"},
+      {Hello{.role = "fluid", .program = "caf\xe9"}, "Hello.program must be UTF-8 text"},
+      {Hello{.role = "fluid", .capabilities = {"\xc0\xaf"}}, "Hello.capabilities[0] must be UTF-8 text"},
+      {Failure{.text = "d\xe9"
+                       "faut"},
+       "Failure.text must be UTF-8 text without control characters; got \"d\ufffdfaut\""},
+      {Accepted{{{"\xff", 1}}}, "Accepted.figures[0].name must be UTF-8 text"},
+      {Configured{.notes = {"\xed\xa0\x80"}}, "Configured.notes[0] must be UTF-8 text"},
+      {Fields{.profiles = {{.name = "\xf5"}}}, "Fields.profiles[0].name must be UTF-8 text"},
       {Welcome{.heartbeat_interval = 0}, "heartbeat_interval must be > 0 s; got 0"},
+      {Welcome{.silence_timeout = -1}, "silence_timeout must be > 0 s; got -1"},
       {Configured{.arc_lengths = {{0, -1}}}, "Configured.arc_lengths[0].length must be > 0 m; got -1"},
       {Configured{.resolved_gap_ratio = -1}, "resolved_gap_ratio must be >= 0; got -1"},
       {FluidAdvance{.time_step = -0.1}, "FluidAdvance.time_step must be >= 0 s; got -0.1"},
@@ -169,19 +205,27 @@ TEST(Codec, refuses_what_breaks_a_rule) {
        "two numbers for each of 1 arcs; got 1"},
       {DemAdvanced{.largest_overlap = -1}, "largest_overlap must be >= 0 m"},
       {DemAdvanced{.motions = {{.orientation = {1, 1, 0, 0}}}}, "orientation must be a unit quaternion"},
-      {Fields{.fields = {{.components = 0}}}, "components must be > 0"},
-      {Fields{.fields = {{.components = 2, .values = {1}}}}, "a multiple of components (2); got 1"},
+      {Fields{.fields = {{.name = "u", .components = 0}}}, "components must be > 0"},
+      {Fields{.fields = {{.name = "u", .components = 2, .values = {1}}}},
+       "a multiple of components (2); got 1"},
       {Fields{.points = {1, 2}}, "points must be x, y, z of each point"},
       {Fields{.points = {1, 2, 3}, .cells = {0}}, "cells must be 6 indices each"},
       {Fields{.points = {1, 2, 3}, .cells = {0, 0, 0, 0, 0, 1}}, "indices below the 1 points; got 1"},
       {Fields{.points = {1, 2, 3}, .fields = {{.name = "p", .values = {1, 2}}}},
        "1 numbers for \"p\"; got 2"},
-      {Fields{.boundaries = {{.points = {1, 2}}}},
+      {Fields{.boundaries = {{.name = "w", .points = {1, 2}}}},
        "boundaries[0].points must be x, y, z of each point; got 2"},
-      {Fields{.boundaries = {{.lines = {0, 1}}}}, "lines must be 3 indices each; got 2"},
-      {Fields{.boundaries = {{.points = {1, 2, 3}, .lines = {0, 0, 1}}}}, "below the 1 points; got 1"},
-      {Fields{.profiles = {{.components = 0}}}, "profiles[0].components must be > 0; got 0"},
-      {Fields{.profiles = {{.points = {1, 2, 3}, .values = {1, 2}}}}, "values must be 1 numbers; got 2"},
+      {Fields{.boundaries = {{.name = "w", .lines = {0, 1}}}}, "lines must be 3 indices each; got 2"},
+      {Fields{.boundaries = {{.name = "w", .points = {1, 2, 3}, .lines = {0, 0, 1}}}},
+       "below the 1 points; got 1"},
+      {Fields{.profiles = {{.name = "p", .components = 0}}}, "profiles[0].components must be > 0; got 0"},
+      {Fields{.profiles = {{.name = "p", .points = {1, 2, 3}, .values = {1, 2}}}},
+       "values must be 1 numbers; got 2"},
+      {Fields{.fields = {{.name = "a/b"}}}, "name must be a word of letters, digits and _; got a/b"},
+      {Fields{.fields = {{.name = "\"><x"}}}, "name must be a word of letters"},
+      {Fields{.fields = {{.name = "u"}, {.name = "u"}}},
+       "fields must be of different names; got \"u\" again"},
+      {Fields{.boundaries = {{}}}, "boundaries[0].name must be given; got none"},
       {Fields{.tables = {{"../up", {"x"}, {}}}}, "name must be a word of letters, digits and _; got ../up"},
       {Fields{.tables = {{"t", {"x", "y"}, {1, 2, 3}}}},
        "values must be rows of one number or more a column"},

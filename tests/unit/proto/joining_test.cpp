@@ -1,6 +1,11 @@
 /// Who is let in, and that whoever is not is told why.
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <array>
+#include <cerrno>
 #include <thread>
 
 #include "parties.hpp"
@@ -11,7 +16,7 @@ namespace {
 using namespace parties;
 
 HostOptions options() {
-  HostOptions o;
+  HostOptions o = with_token();
   o.run = 77;
   o.scene_fingerprint = 0xabc;
   o.heartbeat_interval = 0.05;
@@ -122,6 +127,43 @@ TEST(Joining, refuses_a_second_program_for_a_role) {
   EXPECT_TRUE(host.ask<FluidAdvanced>("fluid", {77, 1, 0}, FluidAdvance{}).converged);
   host.dismiss("done");
   EXPECT_EQ(first_status.get(), 0);
+}
+
+/// A TCP connection to tcp://127.0.0.1:PORT that says nothing.
+class IdleConnection {
+ public:
+  explicit IdleConnection(const std::string& address) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1))));
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
+  }
+  ~IdleConnection() { ::close(socket_); }
+  IdleConnection(const IdleConnection&) = delete;
+  IdleConnection& operator=(const IdleConnection&) = delete;
+  /// Reads to the end of what the other side says; true when it closes within `seconds`.
+  bool is_closed_within(int seconds) const {
+    const timeval limit{.tv_sec = seconds, .tv_usec = 0};
+    setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
+    std::array<char, 256> said{};
+    ssize_t n = 0;
+    while ((n = ::recv(socket_, said.data(), said.size(), 0)) > 0) {
+    }
+    return n == 0 || errno == ECONNRESET;
+  }
+
+ private:
+  int socket_;
+};
+
+TEST(Joining, closes_connections_of_strangers_that_say_nothing) {
+  HostOptions o = options();
+  o.handshake_timeout = 0.3;
+  Host host(o);
+  const std::array<IdleConnection, 3> strangers{
+      IdleConnection(host.address()), IdleConnection(host.address()), IdleConnection(host.address())};
+  for (const IdleConnection& stranger : strangers) EXPECT_TRUE(stranger.is_closed_within(3));
 }
 
 TEST(Joining, ends_when_nobody_comes) {

@@ -35,7 +35,7 @@ class Keys : public testing::Test {
   /// Exit status of a fluid with `participant_keys` at a coupler with `coupler_keys` that has everything
   /// else.
   int joined(const std::string& coupler_keys, const std::string& participant_keys) {
-    HostOptions options;
+    HostOptions options = with_token();
     options.keys = coupler_keys;
     Host host(options);
     Fluid fluid;
@@ -87,6 +87,22 @@ TEST_F(Keys, that_are_missing_or_damaged_are_named) {
   }
 }
 
+TEST_F(Keys, that_others_may_read_are_refused_with_the_remedy) {
+  const std::string keys = made("a");
+  for (const char* secret : {"coupler.secret", "participant.secret"}) {
+    const std::string path = fs::path(keys) / secret;
+    ASSERT_EQ(chmod(path.c_str(), 0640), 0);
+    try {
+      read_key(keys, secret);
+      ADD_FAILURE() << secret;
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("has mode 0640: chmod 600 " + path), std::string::npos)
+          << e.what();
+    }
+  }
+  EXPECT_NO_THROW(read_key(keys, "coupler.public"));
+}
+
 TEST_F(Keys, of_one_pair_let_a_participant_in) {
   const std::string keys = made("a");
   EXPECT_EQ(joined(keys, keys), 0);
@@ -112,7 +128,7 @@ TEST_F(Keys, are_needed_on_both_sides_or_on_none) {
 TEST_F(Keys, are_needed_beyond_this_machine) {
   for (const char* address : {"tcp://0.0.0.0:*", "tcp://*:5555", "tcp://192.168.1.5:5555", "tcp://[::]:5555",
                               "tcp://127.0.0.1.example.com:5555", "tcp://eth0:5555"}) {
-    HostOptions options;
+    HostOptions options = with_token();
     options.address = address;
     try {
       Host host(options);

@@ -23,7 +23,7 @@ double seconds(Clock::time_point start) {
 }
 
 HostOptions options() {
-  HostOptions o;
+  HostOptions o = with_token();
   o.run = 77;
   o.silence_timeout = 1;
   o.heartbeat_interval = 0.1;
@@ -132,11 +132,10 @@ TEST(Life, a_busy_participant_is_not_dead) {
 
 TEST(Life, a_busy_coupler_is_not_dead) {
   HostOptions o = options();
+  o.silence_timeout = 0.5;
   Host host(o);
   Fluid fluid;
-  Connection connection = connection_to(host.address());
-  connection.silence_timeout = 0.5;
-  auto status = serve_in_thread(fluid, connection);
+  auto status = serve_in_thread(fluid, connection_to(host.address()));
   host.admit({"fluid"}, {false});
   std::this_thread::sleep_for(milliseconds(1500));
   EXPECT_NO_THROW(host.ask<Configured>("fluid", {}, Configure{}));
@@ -199,6 +198,70 @@ TEST(Life, what_was_accepted_or_restored_is_not_accepted_again) {
   };
   EXPECT_NE(refusal(Accept{}).find("Accept must follow an advance"), std::string::npos);
   EXPECT_NE(refusal(Restore{}).find("Accept must follow an advance"), std::string::npos);
+}
+
+/// What the coupler says when a client that has joined as the fluid answers step 12, sub-iteration 2 of run
+/// 77 with `stamp`.
+std::string loss_by_answer(const Stamp& stamp) {
+  Host host(options());
+  std::thread fluid([&, address = host.address()] {
+    Client client(address);
+    client.send(encode({{},
+                        Hello{.role = "fluid",
+                              .program = "other",
+                              .program_version = "9",
+                              .schema_fingerprint = schema_fingerprint()}}));
+    EXPECT_TRUE(std::holds_alternative<Welcome>(client.receive()));
+    EXPECT_TRUE(std::holds_alternative<FluidAdvance>(client.receive()));
+    client.send(encode({stamp, FluidAdvanced{.converged = true}}));
+    EXPECT_TRUE(std::holds_alternative<Goodbye>(client.receive()));
+    client.send(encode({{}, Farewell{}}));
+  });
+  host.admit({"fluid"}, {false});
+  std::string loss;
+  try {
+    host.ask<FluidAdvanced>("fluid", {77, 12, 2}, FluidAdvance{});
+  } catch (const ParticipantLost& e) {
+    loss = e.what();
+  }
+  host.dismiss("the test is over");
+  fluid.join();
+  return loss;
+}
+
+TEST(Life, an_answer_with_a_foreign_stamp_names_its_sender) {
+  EXPECT_EQ(loss_by_answer({77, 12, 2}), "");
+  for (const Stamp& foreign : {Stamp{78, 12, 2}, Stamp{77, 11, 2}, Stamp{77, 12, 1}})
+    EXPECT_EQ(
+        loss_by_answer(foreign),
+        fmt::format("fluid (other 9) answered FluidAdvance of run 000000000000004d, step 12, sub-iteration 2 "
+                    "with FluidAdvanced of run {:016x}, step {}, sub-iteration {}; an answer repeats the "
+                    "stamp of its request, in phase \"start\" of step 12, sub-iteration 2",
+                    foreign.run, foreign.step, foreign.sub_iteration));
+}
+
+TEST(Life, a_coupler_that_stood_still_calls_nobody_lost) {
+  HostOptions o = options();
+  Host host(o);
+  Fluid fluid;
+  Dem dem;
+  auto fluid_status = serve_in_thread(fluid, connection_to(host.address()));
+  auto dem_status = serve_in_thread(dem, connection_to(host.address()));
+  host.admit({"fluid", "dem"}, {false, false});
+  for (const char* role : {"fluid", "dem"}) host.ask<Configured>(role, {}, Configure{});
+  fluid.on_advance = [](auto&, auto&) {
+    std::this_thread::sleep_for(milliseconds(2500));
+    return FluidAdvanced{.converged = true};
+  };
+  host.while_waiting = [stood_still = false]() mutable {  // as one that was stopped, or whose machine slept
+    if (!std::exchange(stood_still, true)) std::this_thread::sleep_for(milliseconds(1800));
+  };
+  EXPECT_TRUE(host.ask<FluidAdvanced>("fluid", {77, 1, 0}, FluidAdvance{}).converged);
+  host.while_waiting = nullptr;
+  EXPECT_TRUE(host.ask<DemAdvanced>("dem", {77, 1, 0}, DemAdvance{}).converged);
+  host.dismiss("done");
+  EXPECT_EQ(fluid_status.get(), 0);
+  EXPECT_EQ(dem_status.get(), 0);
 }
 
 TEST(Life, a_killed_participant_ends_the_run_with_its_name_and_phase) {
@@ -327,9 +390,7 @@ TEST(Life, a_participant_ends_when_its_coupler_stands_still) {
   const std::string address = "ipc://" + folder / "wire";
   const StuckPeer coupler("coupler", address);
   Fluid fluid;
-  Connection connection = connection_to(address);
-  connection.silence_timeout = 0.5;
-  auto status = serve_in_thread(fluid, connection);
+  auto status = serve_in_thread(fluid, connection_to(address));
   EXPECT_EQ(status.wait_for(milliseconds(1500)), std::future_status::timeout)
       << "the coupler lives, but is silent";
   coupler.signal(SIGSTOP);

@@ -34,11 +34,20 @@ class Dem : public DemParticipant {
   void restore() override {}
 };
 
+inline const std::string token(64, '7');
+
+inline HostOptions with_token() {
+  HostOptions options;
+  options.token = token;
+  return options;
+}
+
 inline Connection connection_to(const std::string& address) {
   Connection connection;
   connection.program = "test_program";
   connection.program_version = "1.2";
   connection.address = address;
+  connection.token = token;
   connection.join_timeout = 5;
   return connection;
 }
@@ -49,10 +58,12 @@ std::future<int> serve_in_thread(Solver& solver, const Connection& connection) {
   return std::async(std::launch::async, [&solver, connection] { return serve(solver, connection); });
 }
 
-/// Sends any bytes and reads any message.
+/// Sends any bytes and reads any message; with the token of the run unless another one is given.
 class Client {
  public:
-  explicit Client(const std::string& address) {
+  explicit Client(const std::string& address, const std::string& shown = token) {
+    socket_.set(zmq::sockopt::plain_username, "client");
+    socket_.set(zmq::sockopt::plain_password, shown);
     socket_.set(zmq::sockopt::linger, 0);
     socket_.set(zmq::sockopt::rcvtimeo, 3000);
     socket_.connect(address);

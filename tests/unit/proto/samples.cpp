@@ -58,7 +58,7 @@ std::vector<Envelope> all() {
 
   const std::vector<Message> messages{
       Hello{3, "fluid", "toy", "0.1.0", {"checkpoint", "fields"}, 0xffffffffffffffff, 7},
-      Welcome{0xfedcba9876543210, 0.25},
+      Welcome{0xfedcba9876543210, 0.25, 40},
       Refusal{"the role is taken"},
       Configure{"[fluid]\ndensity = 1 # µ\n", {{"channel.msh", {1, 2, 3, 255}}}, {9, 8}},
       Configured{{{0, 0.1}, {1, 0.2}}, 0.01, {"no convection", "one factor"}, figures},

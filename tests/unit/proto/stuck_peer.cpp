@@ -10,8 +10,9 @@ int main(int argc, char** argv) {
   if (argc != 3) return 64;
   const std::string side = argv[1], address = argv[2];
   if (side == "coupler") {
-    HostOptions options;
+    HostOptions options = parties::with_token();
     options.address = address;
+    options.silence_timeout = 0.5;
     Host host(options);
     host.admit({"fluid"}, {true});
     for (;;) pause();
