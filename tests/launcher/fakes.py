@@ -86,7 +86,7 @@ class FakeTest(unittest.TestCase):
 
     def start(self, *words: str, fluid: str = "end", coupler: str = "") -> subprocess.Popen:
         environment = os.environ | {"FPI_BIN": str(self.bin), "FAKE_FLUID": fluid, "FAKE_COUPLER": coupler,
-                                    "FAKE_PID": str(self.folder / "pid")}
+                                    "FAKE_PID": str(self.folder / "pid"), "XDG_CONFIG_HOME": str(self.folder / "config")}
         return subprocess.Popen([str(ROOT / "fpi"), *words], cwd=self.folder, env=environment,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
