@@ -10,6 +10,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr auto not_utf8 = Json::error_handler_t::replace;  ///< names of files may hold any bytes
+
 /// A participant's figure: 0 where the run has no such participant, null where it was lost before it could
 /// say.
 Json figure(const Summary& summary, const std::string& role, const std::string& name) {
@@ -220,7 +222,7 @@ std::string to_json(const Plan& plan) {
               {"scene_fingerprint", plan.scene_fingerprint},
               {"participants", std::move(participants)},
               {"stages", std::move(stages)}}
-      .dump();
+      .dump(-1, ' ', false, not_utf8);
 }
 
 std::string to_json(const Standing& s) {
@@ -268,7 +270,7 @@ std::string to_json(const Summary& s) {
               {"percolation", figures_after(s, "percolation:")},
               {"errors", figures_after(s, "error:")},
               {"counts", counts(s)}}
-             .dump(2) +
+             .dump(2, ' ', false, not_utf8) +
          "\n";
 }
 

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from launcher import build, display, report, run, scenes, trust
-from launcher.common import MISUSED, ROOT, Refusal, program, programs
+from launcher.common import MISUSED, ROOT, Refusal, program, programs, require_plain
 from launcher.ending import document
 from launcher.processes import answer, ended
 
@@ -214,6 +214,9 @@ def execute(request: run.Request, plan: dict, arguments) -> int:
 def run_to_end(request: run.Request, plan: dict, arguments) -> tuple[int, dict]:
     """Exit status of a run, and its summary: of one that never began status and reason only."""
     request.listen, request.keys, request.threads = arguments.listen, arguments.keys, arguments.jobs
+    for folder in (request.folder, request.keys):
+        if folder is not None:
+            require_plain(folder)
     the_run = run.Run(request, plan, display.Display())
     with run.interruptions_call(the_run.interrupt):
         screen = the_run.display = display.choose(arguments.quiet or arguments.json)

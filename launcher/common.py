@@ -34,6 +34,11 @@ def program(name: str) -> Path:
     return path
 
 
+def printable(text: str) -> str:
+    """Text from outside without what a terminal takes for commands."""
+    return "".join(one if one.isprintable() or one in "\n\t" else ascii(one)[1:-1] for one in text)
+
+
 # ---- files -------------------------------------------------------------------------------------------------------
 
 KINDS = {stat.S_IFDIR: "a folder", stat.S_IFCHR: "a device", stat.S_IFBLK: "a device", stat.S_IFIFO: "a pipe",
@@ -70,6 +75,13 @@ def require_regular(path: Path) -> None:
     kind = stat.S_IFMT(path.stat().st_mode)
     if kind != stat.S_IFREG:
         raise Refusal(f"a regular file is required; {path} is {KINDS.get(kind, 'something else')}")
+
+
+def require_plain(folder: Path) -> None:
+    """Refuses a folder with something in it that may block the programs that read or write there."""
+    for path in folder.iterdir():
+        if not path.is_dir():
+            require_regular(path)
 
 
 def read_text(path: Path) -> str:

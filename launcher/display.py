@@ -5,6 +5,8 @@ import contextlib
 import sys
 import time
 
+from launcher.common import printable
+
 
 class Display:
     """Says nothing but warnings."""
@@ -14,7 +16,7 @@ class Display:
 
     def warn(self, text: str) -> None:
         with contextlib.suppress(OSError):
-            print(text, file=sys.stderr, flush=True)
+            print(printable(text), file=sys.stderr, flush=True)
 
     def progress(self, state: dict) -> None:
         pass
@@ -33,7 +35,7 @@ class Plain(Display):
 
     def say(self, text: str) -> None:
         with contextlib.suppress(OSError):
-            print(text, flush=True)
+            print(printable(text), flush=True)
 
     def progress(self, state: dict) -> None:
         now = time.monotonic()
@@ -54,7 +56,7 @@ class Rich(Display):
         self.bar.start()
 
     def say(self, text: str) -> None:
-        self.bar.console.print(text, markup=False, highlight=False)
+        self.bar.console.print(printable(text), markup=False, highlight=False)
 
     def warn(self, text: str) -> None:
         self.say(text)

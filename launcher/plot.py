@@ -9,7 +9,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
 
 from launcher import charts, granular, maps, movie, obstacles, percolation, report, results, streams, surface, tractions  # noqa: E402
-from launcher.common import Refusal, naming  # noqa: E402
+from launcher.common import Refusal, naming, require_plain  # noqa: E402
 from launcher.processes import describe  # noqa: E402
 
 STYLE = {"figure.dpi": 110, "savefig.dpi": 110, "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
@@ -20,6 +20,7 @@ def draw(run: Path, moving: bool = False) -> list[Path]:
     """Draws what the run has into RUN/plots, and a movie of it where asked for; returns the pictures."""
     if not run.is_dir():
         raise Refusal(f"a run folder is required; there is no {run}")
+    require_plain(run)
     folder = run / "plots"
     scene, fields, bodies = results.read_scene(run), results.read_fields(run), results.read_bodies(run)
     on_bodies, history = results.read_tractions(run, bodies), results.read_history(run)

@@ -8,7 +8,7 @@ import signal
 import subprocess
 import time
 
-from launcher.common import Refusal
+from launcher.common import Refusal, printable
 
 PR_SET_PDEATHSIG = 1
 _libc = ctypes.CDLL(None, use_errno=True)
@@ -31,7 +31,7 @@ def answer(command: list[str]) -> str:
     done = ended(command)
     if done.returncode != 0:
         words = done.stderr.strip().removeprefix(f"{os.path.basename(command[0])}: ")
-        raise Refusal(words or f"`{shlex.join(command)}` ended with {describe(done.returncode)}")
+        raise Refusal(printable(words) or f"`{shlex.join(command)}` ended with {describe(done.returncode)}")
     return done.stdout
 
 

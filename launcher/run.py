@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 
 from launcher import trust
-from launcher.common import Refusal, explain, program
+from launcher.common import Refusal, explain, printable, program
 from launcher.display import Display
 from launcher.ending import STOPPED, STOPS
 from launcher.processes import Child, answer, describe, end_all
@@ -112,7 +112,7 @@ class Run:
         if sudden := self.sudden_end():
             return {**(summary or {}), "status": "failed", "reason": sudden}
         status, said = self.coupler.status, "; ".join(self.complaints)
-        if summary is None or said and summary["reason"].strip() not in self.complaints:
+        if summary is None or said and printable(summary["reason"].strip()) not in self.complaints:
             how = said or f"coupler ended with {describe(status)} before it had results; see {self.request.folder}/*.log"
             return {"status": "failed", "reason": how + self.details()}
         if status != 0 and summary["status"] == "completed":
@@ -176,9 +176,9 @@ class Run:
         """A line of the coupler's standard error. Its errors are kept for the end, where they are told once."""
         logged = LOGGED.match(line)
         if complaint := COMPLAINT.match(line):
-            self.complaints.append(complaint[1])
+            self.complaints.append(printable(complaint[1]))
         elif self.complaints and not logged:
-            self.complaints[-1] += "\n" + line
+            self.complaints[-1] += "\n" + printable(line)
         elif line:
             self.display.warn(line)
 
