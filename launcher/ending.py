@@ -20,6 +20,7 @@ def end(words: list[str], carry_out: Callable[[list[str]], int]) -> int:
     """Carries out the words of the command line; returns the exit status."""
     as_json = "--json" in words
     listen(as_json)
+    told = False
     try:
         status = carry_out(words)
     except SystemExit as leaving:  # of -h
@@ -28,10 +29,9 @@ def end(words: list[str], carry_out: Callable[[list[str]], int]) -> int:
         if os.environ.get("FPI_TRACEBACK"):
             raise
         refusal = refusal_of(error)
-        status = refusal.status
-        tell(refusal, as_json)
+        status, told = refusal.status, tell(refusal, as_json)
     hold_stops()
-    return delivered(status)
+    return delivered(status, told)
 
 
 def listen(as_json: bool) -> None:
@@ -75,13 +75,16 @@ def refusal_of(error: Exception) -> Refusal:
                    "FPI_TRACEBACK=1 shows how it came there")
 
 
-def tell(refusal: Refusal, as_json: bool) -> None:
-    if not str(refusal):
-        return
-    if as_json:
+def tell(refusal: Refusal, as_json: bool) -> bool:
+    """False where it cannot be told."""
+    if not as_json:
+        write_all(2, f"fpi: {refusal}\n" if str(refusal) else "")
+        return True
+    try:
         document({"status": "failed", "reason": str(refusal)})
-    else:
-        write_all(2, f"fpi: {refusal}\n")
+    except OSError:
+        return False
+    return True
 
 
 def document(content) -> None:
@@ -115,15 +118,16 @@ def write_all(descriptor: int, text: str) -> None:
         pass  # nobody is there to be told
 
 
-def delivered(status: int) -> int:
-    """The status, or that of an output which cannot be written."""
+def delivered(status: int, told: bool) -> int:
+    """The status, or that of an output which cannot be written, which is told where no other failure was."""
     try:
         sys.stdout.flush()
         return status
     except OSError as error:
         refusal = refusal_of(error)
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # where Python writes what is left
-    tell(refusal, as_json=False)
+    if not told:
+        tell(refusal, as_json=False)
     return status or refusal.status
 
 
