@@ -122,6 +122,9 @@ def do_run(arguments) -> int:
         if status != 0:
             report_end(request.folder, status, summary, arguments)
             return status
+    if stages:  # what they ended with belongs to the scene
+        plan = run.plan(scene, arguments.overrides)
+        trust.require(scene, plan, trusted=True)
     return execute(run.Request(scene, run.new_folder(arguments.out, scene), arguments.overrides), plan, arguments)
 
 
@@ -218,7 +221,7 @@ def run_to_end(request: run.Request, plan: dict, arguments) -> tuple[int, dict]:
         if folder is not None:
             require_plain(folder)
     the_run = run.Run(request, plan, display.Display())
-    with run.interruptions_call(the_run.interrupt):
+    with run.interruptions_call(the_run.interrupt):  # a screen that is begun is ended, too
         screen = the_run.display = display.choose(arguments.quiet or arguments.json)
         screen.say(f"{plan['title'] or request.scene.stem}: results go to {request.folder}")
         try:

@@ -25,7 +25,7 @@ def end(words: list[str], carry_out: Callable[[list[str]], int]) -> int:
         status = carry_out(words)
     except SystemExit as leaving:  # of -h
         status = leaving.code or 0
-    except Exception as error:
+    except (Exception, KeyboardInterrupt) as error:
         if os.environ.get("FPI_TRACEBACK"):
             raise
         refusal = refusal_of(error)
@@ -56,11 +56,13 @@ def hold_stops() -> None:
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)
 
 
-def refusal_of(error: Exception) -> Refusal:
+def refusal_of(error: BaseException) -> Refusal:
     """What to tell the user of an error."""
     match error:
         case Refusal():
             return error
+        case KeyboardInterrupt():
+            return Refusal(STOPPED, 128 + signal.SIGINT)
         case BrokenPipeError():
             return Refusal("", UNREAD)
         case OSError():

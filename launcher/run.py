@@ -95,13 +95,14 @@ class Run:
 
     def execute(self) -> int:
         """Runs to the end and returns the coupler's exit status, or that of an interruption."""
-        self.coupler = Child("coupler", self.coupler_command(), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                             stderr=subprocess.PIPE)
-        try:
-            self.watch()
-        finally:
-            end_all([self.coupler, *self.participants], PATIENCE)
-            self.remove_empty_outputs()
+        with interruptions_call(self.interrupt):
+            self.coupler = Child("coupler", self.coupler_command(), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                 stderr=subprocess.PIPE)
+            try:
+                self.watch()
+            finally:
+                end_all([self.coupler, *self.participants], PATIENCE)
+                self.remove_empty_outputs()
         if self.stopped_by is not None:
             return 128 + self.stopped_by
         status = self.coupler.status
@@ -109,9 +110,9 @@ class Run:
 
     def outcome(self, summary: dict | None) -> dict:
         """The summary of the run as far as it is of this one, with a status and a reason in any case."""
-        if sudden := self.sudden_end():
-            return {**(summary or {}), "status": "failed", "reason": sudden}
         status, said = self.coupler.status, "; ".join(self.complaints)
+        if sudden := self.sudden_end():
+            return {**(summary or {}), "status": "failed", "reason": f"{said}; {sudden}" if said else sudden}
         if summary is None or said and printable(summary["reason"].strip()) not in self.complaints:
             how = said or f"coupler ended with {describe(status)} before it had results; see {self.request.folder}/*.log"
             return {"status": "failed", "reason": how + self.details()}
