@@ -218,7 +218,7 @@ def run_to_end(request: run.Request, plan: dict, arguments) -> tuple[int, dict]:
     """Exit status of a run, and its summary: of one that never began status and reason only."""
     request.listen, request.keys, request.threads = arguments.listen, arguments.keys, arguments.jobs
     for folder in (request.folder, request.keys):
-        if folder is not None:
+        if folder is not None and folder.is_dir():
             require_plain(folder)
     the_run = run.Run(request, plan, display.Display())
     with run.interruptions_call(the_run.interrupt):  # a screen that is begun is ended, too
@@ -304,7 +304,11 @@ def do_bench(arguments) -> int:
     ensure_packages()
     build.build()
     script = ROOT / "bench" / f"{arguments.subject}.py"
-    status = ended([sys.executable, "-I", "-X", "utf8", str(script), *arguments.rest], stdin=None, stdout=None, stderr=None).returncode
+    # Ctrl-C ends the script as it ends the launcher, without a traceback.
+    start = ("import runpy, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); sys.argv.pop(0); "
+             "runpy.run_path(sys.argv[0], run_name='__main__')")
+    command = [sys.executable, "-I", "-X", "utf8", "-c", start, str(script), *arguments.rest]
+    status = ended(command, stdin=None, stdout=None, stderr=None).returncode
     return status if status >= 0 else 128 - status
 
 

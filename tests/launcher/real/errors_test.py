@@ -124,7 +124,7 @@ RUNS = [  # of what takes --quiet and --json
     Mistake("a folder that nobody may write", ["run", "dry.toml", "--out", "/sys/fpi"], "/sys/fpi cannot be used"),
     Mistake("an address that is none", ["run", "dry.toml", "--listen", "nowhere"], "nowhere"),
     Mistake("an open address without keys", ["run", "dry.toml", "--listen", "tcp://0.0.0.0:*"], "0.0.0.0"),
-    Mistake("keys that are not there", ["run", "dry.toml", "--keys", "gone"], "gone cannot be used"),
+    Mistake("keys that are not there", ["run", "dry.toml", "--keys", "gone"], "coupler.secret"),
     Mistake("resuming what is no run", ["resume", "."], "there is none in ."),
     Mistake("resuming what is not there", ["resume", "gone"], "there is none in gone"),
     Mistake("resuming what reached its end", ["resume", "done"], "the run reached its end", dry_run),
@@ -237,8 +237,8 @@ class Errors(FpiCase):
     def test_a_full_disk_is_told(self):
         script = "mount -t tmpfs -o size=$2k none full; cd full; exec $1 run ../dry.toml --set time.end=2 --out r $3"
         (self.folder / "full").mkdir()
-        for size in ("4", "24", "60", "120"):
-            for mode in ("", "--quiet", "--json"):
+        for size in ("4", "60"):
+            for mode in ("--quiet", "--json"):
                 with self.subTest(size=size, mode=mode):
                     done = subprocess.run(["unshare", "-m", "sh", "-c", script, "sh", str(ROOT / "fpi"), size, mode or "--trust"],
                                           cwd=self.folder, capture_output=True, text=True, check=False, timeout=90)

@@ -106,6 +106,7 @@ class FpiCase(unittest.TestCase):
         self.assertEqual(ended.status, status, ended.said)
         self.assertNotIn("Traceback", ended.said)
         self.assertNotIn("fault, please report", ended.said)
+        self.assertNotIn("\x1b", ended.said, "no commands for the terminal from outside")
         said = ended.said
         if mode == "--json":
             document = json.loads(ended.out)
