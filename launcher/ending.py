@@ -6,7 +6,6 @@ import math
 import os
 import signal
 import sys
-import traceback
 from collections.abc import Callable
 
 from launcher.common import FAILED, Refusal, explain
@@ -72,9 +71,11 @@ def refusal_of(error: BaseException) -> Refusal:
         case ImportError():
             return Refusal(f"Python must import {error.name or 'a module'} and cannot: {error}; `./fpi build` installs "
                            "the packages that fpi needs")
-    place = traceback.extract_tb(error.__traceback__)[-1]
-    return Refusal(f"the launcher has a fault, please report it: {type(error).__name__}: {error} ({place.filename}:{place.lineno}); "
-                   "FPI_TRACEBACK=1 shows how it came there")
+    place = error.__traceback__
+    while place.tb_next is not None:
+        place = place.tb_next
+    return Refusal(f"the launcher has a fault, please report it: {type(error).__name__}: {error} "
+                   f"({place.tb_frame.f_code.co_filename}:{place.tb_lineno}); FPI_TRACEBACK=1 shows how it came there")
 
 
 def tell(refusal: Refusal, as_json: bool) -> bool:

@@ -3,7 +3,7 @@
 import shutil
 from pathlib import Path
 
-from launcher.common import Refusal
+from launcher.common import Refusal, require_regular
 from launcher.processes import describe, ended
 from launcher.scenes import find_file
 
@@ -14,6 +14,8 @@ def make(name: str, size: float = 1.0, output: Path | None = None) -> Path:
     if geometry.suffix != ".geo":
         raise Refusal(f"a geometry file (.geo) is required; got {geometry}")
     mesh = output or geometry.with_suffix(".msh")
+    if mesh.exists():
+        require_regular(mesh)
     gmsh = shutil.which("gmsh")
     if gmsh is None:
         raise Refusal("the program gmsh is required to make meshes and not there: apt-get install -y gmsh")

@@ -20,8 +20,10 @@ def draw(run: Path, moving: bool = False) -> list[Path]:
     """Draws what the run has into RUN/plots, and a movie of it where asked for; returns the pictures."""
     if not run.is_dir():
         raise Refusal(f"a run folder is required; there is no {run}")
-    require_plain(run)
     folder = run / "plots"
+    for place in (run, folder):
+        if place.is_dir():
+            require_plain(place)
     scene, fields, bodies = results.read_scene(run), results.read_fields(run), results.read_bodies(run)
     on_bodies, history = results.read_tractions(run, bodies), results.read_history(run)
     time, boundaries = results.read_curves(run, "boundaries.h5", "traction")

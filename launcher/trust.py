@@ -9,7 +9,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from launcher.common import Refusal, read_text
+from launcher.common import Refusal, read_text, require_regular
 
 
 def commands(plan: dict) -> dict[str, str]:
@@ -93,8 +93,10 @@ def remembered() -> set[str]:
 def remember(mark: str, scene: Path) -> None:
     """Where nothing can be written the user is asked each time."""
     path = memory()
-    with contextlib.suppress(OSError):
+    with contextlib.suppress(OSError, Refusal):
         if path:
             path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+            if path.exists():
+                require_regular(path)
             with open(path, "a", encoding="utf-8", errors="replace", opener=lambda name, flags: os.open(name, flags, 0o600)) as file:
                 file.write(f"{mark} {str(scene.resolve())!r}\n")

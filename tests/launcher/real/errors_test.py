@@ -162,6 +162,8 @@ OTHERS = [  # of what has neither
     Mistake("a movie of nothing", ["plot", "f", "--movie"], "a movie needs bodies", folder("f")),
     Mistake("no such geometry", ["mesh", "gone"], "there is no gone"),
     Mistake("a scene as geometry", ["mesh", "cavity.toml"], "a geometry file (.geo) is required"),
+    Mistake("a pipe as mesh to be written", ["mesh", "cylinder", "--out", "p.msh"], "p.msh is a pipe", pipe("p.msh")),
+    Mistake("a pipe as picture", ["plot", "done"], "speed.png is a pipe", pipe("done/plots/speed.png")),
     Mistake("keys in a folder that cannot be", ["keys", "dry.toml/k"], "Not a directory"),
     Mistake("keys twice", ["keys", "k"], "has coupler.secret already", write("k/coupler.secret", "x")),
     Mistake("a size that is none", ["mesh", "cylinder", "--size", "big"], "a factor from", status=2),

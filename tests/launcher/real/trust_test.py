@@ -67,6 +67,10 @@ class Trust(FpiCase):
         (self.folder / "config").write_text("")
         self.assert_started("run", "scene.toml", "--trust")
         self.assert_asked("run", "scene.toml")
+        (self.folder / "config").unlink()
+        (self.folder / "config" / "fpi").mkdir(parents=True)
+        os.mkfifo(self.folder / "config" / "fpi" / "trusted")
+        self.assert_started("run", "scene.toml", "--trust")
 
     def answered(self, answer: bytes) -> int:
         ours, theirs = pty.openpty()
