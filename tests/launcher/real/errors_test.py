@@ -247,6 +247,7 @@ class Errors(FpiCase):
                     self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
                     self.assertNotIn("Traceback", done.stdout + done.stderr)
                     self.assertRegex(done.stdout + done.stderr, "space|permissions")
+                    self.assertNotIn("killed", done.stdout + done.stderr)
 
 
 class Output(FpiCase):
