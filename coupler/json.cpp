@@ -10,8 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr auto not_utf8 = Json::error_handler_t::replace;  ///< names of files may hold any bytes
-
 /// A participant's figure: 0 where the run has no such participant, null where it was lost before it could
 /// say.
 Json figure(const Summary& summary, const std::string& role, const std::string& name) {
@@ -222,7 +220,7 @@ std::string to_json(const Plan& plan) {
               {"scene_fingerprint", plan.scene_fingerprint},
               {"participants", std::move(participants)},
               {"stages", std::move(stages)}}
-      .dump(-1, ' ', false, not_utf8);
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string to_json(const Standing& s) {
@@ -270,7 +268,7 @@ std::string to_json(const Summary& s) {
               {"percolation", figures_after(s, "percolation:")},
               {"errors", figures_after(s, "error:")},
               {"counts", counts(s)}}
-             .dump(2, ' ', false, not_utf8) +
+             .dump(2, ' ', false, Json::error_handler_t::replace) +  // a reason may quote any bytes
          "\n";
 }
 
