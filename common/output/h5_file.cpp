@@ -33,10 +33,8 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-/// Errors are reported by us, in one sentence, not by HDF5's stack on the terminal. At the end of the process
-/// it would try again what a full disk refused, and crash: files are closed before.
+/// Errors are reported by us, in one sentence, not by HDF5's stack on the terminal.
 void silence_library() {
-  [[maybe_unused]] static const herr_t no_last_try = H5dont_atexit();
   [[maybe_unused]] static const herr_t once = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
