@@ -286,6 +286,11 @@ class Reader : public ParameterVisitor {
   std::string problem_;
 };
 
+std::string read_bytes(const std::string& path) {
+  constexpr std::size_t largest = 16 << 20;
+  return fpi::read_file(path, largest, "a scene file");
+}
+
 }  // namespace
 
 Scene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
@@ -299,8 +304,7 @@ Scene read_text(const std::string& text, const std::string& name, const std::vec
 }
 
 Scene read_file(const std::string& path, const std::vector<std::string>& overrides) {
-  constexpr std::size_t largest = 16 << 20;
-  return read_text(fpi::read_file(path, largest, "a scene file"), path, overrides);
+  return read_text(read_bytes(path), path, overrides);
 }
 
 }  // namespace fpi::scene
