@@ -8,7 +8,7 @@ import signal
 import sys
 from collections.abc import Callable
 
-from launcher.common import FAILED, Refusal, explain
+from launcher.common import Refusal, explain
 
 STOPS = (signal.SIGINT, signal.SIGTERM)
 UNREAD = 128 + signal.SIGPIPE  # the status, as a shell has it, where nobody reads what is printed
