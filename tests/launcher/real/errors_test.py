@@ -197,7 +197,7 @@ class Errors(FpiCase):
             list(pool.map(try_one, range(len(mistakes))))
 
     def test_every_mistake_in_a_run_is_told_once(self):
-        self.try_all(RUNS, lambda number: (MODES[number % 3],))  # those below try all
+        self.try_all(RUNS, lambda number: (MODES[number % 3],))  # the slow test tries all
 
     def test_every_mistake_in_a_run_is_told_once_whatever_is_asked_for(self):
         self.try_all(RUNS, lambda number: MODES)
