@@ -124,7 +124,7 @@ RUNS = [  # of what takes --quiet and --json
     Mistake("a folder that nobody may write", ["run", "dry.toml", "--out", "/sys/fpi"], "/sys/fpi cannot be used"),
     Mistake("an address that is none", ["run", "dry.toml", "--listen", "nowhere"], "nowhere"),
     Mistake("an open address without keys", ["run", "dry.toml", "--listen", "tcp://0.0.0.0:*"], "0.0.0.0"),
-    Mistake("keys that are not there", ["run", "dry.toml", "--keys", "gone"], "coupler.secret"),
+    Mistake("keys that are not there", ["run", "dry.toml", "--keys", "gone"], "fpi keys gone"),
     Mistake("resuming what is no run", ["resume", "."], "there is none in ."),
     Mistake("resuming what is not there", ["resume", "gone"], "there is none in gone"),
     Mistake("resuming what reached its end", ["resume", "done"], "the run reached its end", dry_run),
