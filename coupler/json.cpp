@@ -220,7 +220,7 @@ std::string to_json(const Plan& plan) {
               {"scene_fingerprint", plan.scene_fingerprint},
               {"participants", std::move(participants)},
               {"stages", std::move(stages)}}
-      .dump();
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string to_json(const Standing& s) {

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdio>
 
+#include "beyond_folder.hpp"
 #include "command_line.hpp"
 #include "core/error.hpp"
 #include "grains/expand.hpp"
@@ -26,10 +27,12 @@ void listen_to_signals() {
 
 int check_scene(const SessionOptions& options) {
   StagedScene staged = read_staged(options.scene, options.overrides, options.stages);
+  const std::vector<std::string> beyond = beyond_folder(staged, options.scene);
   const Files files = read_files(staged, options.scene);
   scene::Scene& scene = staged.scene;
   grains::expand(scene, [&files](const std::string& name) { return proto::content(files, name); });
   std::printf("%s: ok, \"%s\"\n", options.scene.c_str(), scene.title.c_str());
+  for (const std::string& line : beyond) std::printf("  %s\n", line.c_str());
   for (const std::string& line : grains::describe(scene)) std::printf("  %s\n", line.c_str());
   return 0;
 }

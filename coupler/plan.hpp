@@ -25,6 +25,7 @@ struct Plan {
 };
 
 /// `files` are those that the scene names and that are there already.
+std::vector<PlannedParticipant> planned_participants(const scene::Scene& scene);
 Plan make_plan(const StagedScene& staged, const Files& files);
 
 }  // namespace fpi

@@ -14,8 +14,10 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 #include "json.hpp"
 #include "output/replace.hpp"
+#include "proto/codec.hpp"
 
 namespace fpi {
 namespace fs = std::filesystem;
@@ -31,12 +33,9 @@ constexpr std::array results{
 constexpr const char* inputs_folder = "inputs";
 
 proto::Bytes read_bytes(const fs::path& path, const std::string& scene_file) {
-  std::ifstream file(path, std::ios::binary);
-  proto::Bytes bytes{std::istreambuf_iterator<char>(file), {}};
-  require(file.good() || (file.eof() && !bytes.empty()),
-          "a file is required at {}, as {} names it beside itself; it is missing, empty or cannot be read",
-          path.string(), scene_file);
-  return bytes;
+  const std::string text =
+      read_file(path, proto::largest_message, fmt::format("a file that {} names", scene_file));
+  return {text.begin(), text.end()};
 }
 
 /// Where the file is that the scene calls by this name; nowhere where it is the end of a stage that is to be
@@ -119,6 +118,8 @@ FolderLock::FolderLock(const std::string& folder)
 FolderLock::~FolderLock() { close(file_); }
 
 std::optional<RunOrigin> completed_run(const std::string& folder) {
+  std::error_code none;
+  if (!fs::is_regular_file(folder + "/summary.json", none)) return {};
   std::ifstream file(folder + "/summary.json");
   return origin_if_completed({std::istreambuf_iterator<char>(file), {}});
 }

@@ -7,7 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from launcher.common import ROOT, Refusal
+from launcher.common import ROOT, Refusal, naming
+from launcher.processes import end_with_the_launcher
 
 PRESETS = ("release", "dev", "asan", "tsan")
 
@@ -59,11 +60,11 @@ def stream(command: list[str], log: Path, title: str, quiet: bool) -> tuple[int,
     lines = []
     counter = Counter(title, quiet)
     try:
-        process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                                   errors="replace")
+        process = subprocess.Popen(command, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   encoding="utf-8", errors="replace", preexec_fn=end_with_the_launcher)
     except FileNotFoundError as error:
         raise Refusal(f"{title} needs the program {command[0]}: {error}; run `./fpi build`, which installs it") from error
-    with process, log.open("a", buffering=1) as file:
+    with process, naming(log), log.open("a", buffering=1, encoding="utf-8") as file:
         for line in process.stdout:
             lines.append(line.rstrip("\n"))
             file.write(line)

@@ -1,31 +1,35 @@
 """The words of `./fpi` and what each does. What only some words need is imported there: a small run feels it."""
 
 import argparse
-import json
+import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
-from launcher import build, display, report, run, scenes
-from launcher.common import ROOT, Refusal, program, programs
+from launcher import build, display, report, run, scenes, trust
+from launcher.common import MISUSED, ROOT, Refusal, program, programs, require_plain
+from launcher.ending import document
+from launcher.processes import answer, ended
 
 
-def main(words: list[str]) -> int:
+class Parser(argparse.ArgumentParser):
+    """Refuses as everything else does. Options have no short forms, which another option may take away."""
+
+    def __init__(self, *arguments, **options):
+        super().__init__(*arguments, allow_abbrev=False, **options)
+
+    def error(self, message: str):
+        raise Refusal(f"{message}; `{self.prog} -h` tells what there is", MISUSED)
+
+
+def carry_out(words: list[str]) -> int:
+    """Returns the exit status; see launcher.ending for what is raised."""
     arguments = parser().parse_args(words)
-    try:
-        return arguments.do(arguments)
-    except Refusal as refusal:
-        print(f"fpi: {refusal}", file=sys.stderr)
-        if getattr(arguments, "json", False):
-            print(json.dumps({"status": "failed", "reason": str(refusal)}))
-        return 1
-    except KeyboardInterrupt:
-        return 130
+    return arguments.do(arguments)
 
 
 def parser() -> argparse.ArgumentParser:
-    top = argparse.ArgumentParser(prog="fpi", description="Resolved fluid-particle interaction: runs, pictures, tests.")
+    top = Parser(prog="fpi", description="Resolved fluid-particle interaction: runs, pictures, tests.")
     words = top.add_subparsers(title="words", metavar="WORD", required=True)
 
     def word(name, do, text, scene=False):
@@ -45,6 +49,7 @@ def parser() -> argparse.ArgumentParser:
         sub.add_argument("--jobs", type=positive, metavar="N", help="threads of each program (default: all cores for assembly, one for dense kernels)")
         sub.add_argument("--listen", metavar="ADDRESS", help="where the coupler binds, e.g. tcp://0.0.0.0:5555")
         sub.add_argument("--keys", type=Path, metavar="DIR", help="folder of keys, needed beyond this machine")
+        sub.add_argument("--trust", action="store_true", help="start the programs that the scene names (command = ...), now and later")
 
     running = word("run", do_run, "run a scene to its end", scene=True)
     running.add_argument("--out", type=Path, metavar="DIR", help="run folder, new or empty (default runs/SCENE)")
@@ -53,7 +58,8 @@ def parser() -> argparse.ArgumentParser:
     sweeping.add_argument("axes", nargs="+", metavar="KEY=A,B,C", help="a key of the scene and its values, e.g. fluid.pressure_drop=[1,0],[2,0]")
     sweeping.add_argument("--out", type=Path, metavar="DIR", help="folder of the sweep, new or that of the same sweep (default runs/SCENE-sweep)")
     script_options(sweeping)
-    word("check", do_check, "read and check a scene without running it", scene=True)
+    checking = word("check", do_check, "say all that a run of a scene would refuse, without running it", scene=True)
+    checking.add_argument("--json", action="store_true", help="print findings and figures as JSON, and nothing else")
     resuming = word("resume", do_resume, "continue a run from its last checkpoint")
     resuming.add_argument("run", type=Path, metavar="RUN", help="the run folder")
     set_option(resuming, "a later end, time.end=…, extends a run, finished or not; the values that decided its results stay")
@@ -93,14 +99,16 @@ def parser() -> argparse.ArgumentParser:
 
 
 def positive(text: str) -> int:
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError(f"a number of at least 1 is required; got {text}")
-    return number
+    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) > 0):
+        raise argparse.ArgumentTypeError(f"a whole number of at least 1 is required; got {text}")
+    return int(text)
 
 
 def factor(text: str) -> float:
-    number = float(text)
+    try:
+        number = float(text)
+    except ValueError:
+        number = 0
     if not 1e-3 <= number <= 1e3:
         raise argparse.ArgumentTypeError(f"a factor from 0.001 to 1000 is required; got {text}")
     return number
@@ -109,28 +117,26 @@ def factor(text: str) -> float:
 def do_run(arguments) -> int:
     ensure_programs(arguments.quiet or arguments.json)
     scene = scenes.find(arguments.scene)
-    plan = run.plan(scene, arguments.overrides)
-    status = run_stages(plan, arguments)
-    if status != 0:
-        return status
-    if not all(stage["ready"] for stage in plan["stages"]):
-        plan = run.plan(scene, arguments.overrides)  # what the stages ended with is part of its fingerprint
-    folder = run.new_folder(arguments.out, scene)
-    return execute(run.Request(scene, folder, arguments.overrides), plan, arguments)
-
-
-def run_stages(plan: dict, arguments) -> int:
-    """Runs the scenes that the planned one goes on from, unless their runs are there already."""
-    for stage in plan["stages"]:
-        if stage["ready"]:
-            continue
-        scene, folder = Path(stage["scene"]), Path(stage["folder"])
-        folder.mkdir(parents=True, exist_ok=True)
-        status, summary = run_to_end(run.Request(scene, folder), run.plan(scene, []), arguments)
+    plan = trusted_plan(scene, arguments, arguments.overrides)
+    stages = [(run.Request(Path(stage["scene"]), Path(stage["folder"])), trusted_plan(Path(stage["scene"]), arguments))
+              for stage in plan["stages"] if not stage["ready"]]
+    for request, its_plan in stages:  # the scenes that the planned one goes on from
+        request.folder.mkdir(parents=True, exist_ok=True)
+        status, summary = run_to_end(request, its_plan, arguments)
         if status != 0:
-            report_end(folder, summary, arguments)
+            report_end(request.folder, status, summary, arguments)
             return status
-    return 0
+    if stages:  # what they ended with belongs to the scene
+        plan = run.plan(scene, arguments.overrides)
+        trust.require(scene, plan, trusted=True)
+    return execute(run.Request(scene, run.new_folder(arguments.out, scene), arguments.overrides), plan, arguments)
+
+
+def trusted_plan(scene: Path, arguments, overrides: list[str] = ()) -> dict:
+    """The plan of a scene whose programs may be started."""
+    plan = run.plan(scene, list(overrides))
+    trust.require(scene, plan, arguments.trust, overrides)
+    return plan
 
 
 def do_resume(arguments) -> int:
@@ -138,6 +144,7 @@ def do_resume(arguments) -> int:
     scene = arguments.run / "scene.toml"
     if not scene.is_file():
         raise Refusal(f"a run folder with its scene.toml is required; there is none in {arguments.run}")
+    trusted_plan(scene, arguments)
     request = run.Request(scene, arguments.run, arguments.overrides, resume=True)
     return execute(request, run.plan(scene, arguments.overrides), arguments)
 
@@ -149,32 +156,39 @@ def do_sweep(arguments) -> int:
     scene = scenes.find(arguments.scene)
     out = arguments.out or Path("runs") / f"{scene.stem}-sweep"
     points = sweep.points(sweep.parse(arguments.axes))
+    trusted_plan(scene, arguments, arguments.overrides)
     rows = []
     for number, point in enumerate(points, 1):
         if not (arguments.quiet or arguments.json):
             print(f"[{number}/{len(points)}] {', '.join(point.overrides)}")
-        rows.append(run_point(scene, point, out / point.name, arguments))
+        status, row = run_point(scene, point, out / point.name, arguments)
+        rows.append(row)
         sweep.write(out / "sweep.csv", rows)
+        if status >= 128:
+            raise Refusal(f"{row.reason}; the same `./fpi sweep` goes on from there", status)
+        if row.reason and not arguments.json:
+            print(f"fpi: {', '.join(point.overrides)}: {row.reason}", file=sys.stderr)
     report_sweep(out, rows, arguments)
     return int(any(row.status != "completed" for row in rows))
 
 
 def run_point(scene: Path, point, folder: Path, arguments):
-    """The row of a point of a sweep: what its run left behind, which is made or taken to its end first."""
+    """Exit status and row of a point of a sweep: what its run left behind, which is made or taken to its end first."""
     from launcher import sweep
 
     overrides = [*arguments.overrides, *point.overrides]
     plan = run.plan(scene, overrides)
     state = sweep.state_of(folder, lambda path: run.plan(path, [])["scene_fingerprint"], plan["scene_fingerprint"])
-    if state == "new":
-        shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir(parents=True)
-    if state != "done":
+    if state == "done":
+        status, summary = 0, report.summary_of(folder)
+    else:
+        if state == "new":
+            shutil.rmtree(folder, ignore_errors=True)
+            folder.mkdir(parents=True)
         resumed = state == "begun"
         request = run.Request(folder / "scene.toml" if resumed else scene, folder, [] if resumed else overrides, resumed)
-        run_to_end(request, plan, arguments)
-    summary = report.summary_of(folder)
-    return sweep.Row(point, summary["status"], sweep.figures(summary))
+        status, summary = run_to_end(request, plan, arguments)
+    return status, sweep.Row(point, summary["status"], sweep.figures(summary), summary["reason"])
 
 
 def report_sweep(out: Path, rows: list, arguments) -> None:
@@ -185,56 +199,68 @@ def report_sweep(out: Path, rows: list, arguments) -> None:
     driven = any(sweep.is_drive(key) for key in rows[0].point.values) and any("pressure_gradient" in row.figures for row in done)
     medium = sweep.medium(out / done[0].point.name / "scene.toml") if driven else None
     fits = list(sweep.fits(done, medium)) if driven else []
+    if done:
+        ensure_packages(arguments.quiet or arguments.json)
+        if fits:
+            sweep.draw_fits(out / "sweep.png", done, fits, medium)
+        else:
+            sweep.draw(out / "sweep.png", done)
     if arguments.json:
-        print(json.dumps({"out": str(out), "fits": [vars(fit) for fit in fits],
-                          "runs": [{**row.point.values, "status": row.status, **row.figures} for row in rows]}, indent=2))
+        document({"out": str(out), "fits": [vars(fit) for fit in fits],
+                  "runs": [{**row.point.values, "status": row.status, "reason": row.reason, **row.figures} for row in rows]})
     elif not arguments.quiet:
-        print("\n" + "\n".join([sweep.table(rows), "", *map(sweep.describe, fits), f"in {out}: sweep.csv, sweep.png"]))
-    if not done:
-        return
-    ensure_packages()
-    if fits:
-        sweep.draw_fits(out / "sweep.png", done, fits, medium)
-    else:
-        sweep.draw(out / "sweep.png", done)
+        files = "sweep.csv, sweep.png" if done else "sweep.csv"
+        print("\n" + "\n".join([sweep.table(rows), "", *map(sweep.describe, fits), f"in {out}: {files}"]))
 
 
 def execute(request: run.Request, plan: dict, arguments) -> int:
     status, summary = run_to_end(request, plan, arguments)
-    report_end(request.folder, summary, arguments)
+    report_end(request.folder, status, summary, arguments)
     return status
 
 
 def run_to_end(request: run.Request, plan: dict, arguments) -> tuple[int, dict]:
-    """Exit status and summary of a run that has one."""
+    """Exit status of a run, and its summary: of one that never began status and reason only."""
     request.listen, request.keys, request.threads = arguments.listen, arguments.keys, arguments.jobs
-    screen = display.choose(arguments.quiet or arguments.json)
-    screen.say(f"{plan['title'] or request.scene.stem}: results go to {request.folder}")
-    the_run = run.Run(request, plan, screen)
-    try:
-        status = the_run.execute()
-    finally:
-        screen.close()
-    summary, sudden_end = report.summary_of(request.folder), the_run.sudden_end()
-    if summary is None:
-        how = sudden_end or f"the run ended with status {status}"
-        raise Refusal(f"{how} before it had results; see {request.folder}/*.log")
-    if sudden_end:
-        summary |= {"status": "failed", "reason": sudden_end}
+    for folder in (request.folder, request.keys):
+        if folder is not None and folder.is_dir():
+            require_plain(folder)
+    the_run = run.Run(request, plan, display.Display())
+    with run.interruptions_call(the_run.interrupt):  # a screen that is begun is ended, too
+        screen = the_run.display = display.choose(arguments.quiet or arguments.json)
+        screen.say(f"{plan['title'] or request.scene.stem}: results go to {request.folder}")
+        try:
+            status = the_run.execute()
+        finally:
+            screen.close()
+    summary = the_run.outcome(report.summary_of(request.folder))
+    as_run = request.folder / "scene.toml"
+    if trust.commands(plan) and as_run.is_file():
+        trust.remember_run(as_run, run.plan(as_run, []))
     return status if status != 0 else int(summary["status"] != "completed"), summary
 
 
-def report_end(folder: Path, summary: dict, arguments) -> None:
+def report_end(folder: Path, status: int, summary: dict, arguments) -> None:
+    """Tells how a run ended: as JSON, as a table, or by nothing but the reason why it failed."""
     if arguments.json:
-        print(json.dumps({"run": str(folder), **summary}, indent=2))
+        document({"run": str(folder), **summary})
+    elif status != 0 and (arguments.quiet or "steps" not in summary):
+        raise Refusal(summary["reason"], status)
     elif not arguments.quiet:
         report.show(folder, summary)
 
 
 def do_check(arguments) -> int:
-    ensure_programs(quiet=False)
-    print(run.check(scenes.find(arguments.scene), arguments.overrides))
-    return 0
+    ensure_programs(quiet=arguments.json)
+    report = run.check(scenes.find(arguments.scene), arguments.overrides)
+    reports = [report] + [run.check(Path(stage["scene"]), []) for stage in report["stages"] if not stage["ready"]]
+    if arguments.json:
+        for one in reports:
+            del one["text"]
+        document({**report, "checked_stages": reports[1:]})
+    else:
+        print("\n".join(line for one in reports for line in one["text"]))
+    return int(any(one["status"] != "ok" for one in reports))
 
 
 def do_plot(arguments) -> int:
@@ -279,18 +305,23 @@ def do_demo(_arguments) -> int:
     build.build()
     scene = scenes.find("settling_disc")
     folder = str(run.new_folder(None, scene))
-    status = main(["run", str(scene), "--out", folder])
+    status = carry_out(["run", str(scene), "--out", folder])
     if status != 0:
         return status
     print("\n  pictures:")
-    return main(["plot", folder])
+    return carry_out(["plot", folder])
 
 
 def do_bench(arguments) -> int:
     ensure_packages()
     build.build()
     script = ROOT / "bench" / f"{arguments.subject}.py"
-    return subprocess.run([sys.executable, "-I", str(script), *arguments.rest], check=False).returncode
+    # Ctrl-C ends the script as it ends the launcher, without a traceback.
+    start = ("import runpy, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); sys.argv.pop(0); "
+             "runpy.run_path(sys.argv[0], run_name='__main__')")
+    command = [sys.executable, "-I", "-X", "utf8", "-c", start, str(script), *arguments.rest]
+    status = ended(command, stdin=None, stdout=None, stderr=None).returncode
+    return status if status >= 0 else 128 - status
 
 
 def do_stress(arguments) -> int:
@@ -301,7 +332,7 @@ def do_stress(arguments) -> int:
     results = sweep.run(arguments.jobs, arguments.json)
     stress.write(arguments.out, sweep, results)
     if arguments.json or arguments.only:
-        print(json.dumps(results, indent=1))
+        document(results)
     else:
         print(stress.table(sweep, results))
     print(stress.failures(sweep, results), file=sys.stderr)
@@ -313,18 +344,19 @@ def do_paper(_arguments) -> int:
     build.build()
     from launcher import paper  # needs packages that set-up installs
 
-    paper.make(lambda scene, folder: main(["run", str(scene), "--out", str(folder)]))
+    paper.make(lambda scene, folder: carry_out(["run", str(scene), "--out", str(folder)]))
     return 0
 
 
 def do_keys(arguments) -> int:
     ensure_programs(quiet=False)
-    return subprocess.run([str(program("coupler")), "--make-keys", str(arguments.folder)], check=False).returncode
+    print(answer([str(program("coupler")), "--make-keys", str(arguments.folder)]), end="")
+    return 0
 
 
 def ensure_programs(quiet: bool) -> None:
     """Sets up and builds where the programs are not there yet; the words `build` and `test` bring them up to date."""
-    if (programs() / "coupler").exists():
+    if (programs() / "coupler").exists() or os.environ.get("FPI_BIN"):
         return
     ensure_packages(quiet)
     build.build(quiet=quiet)

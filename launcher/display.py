@@ -1,8 +1,11 @@
 """What the user sees of a run: a progress bar where there is a terminal and rich, plain lines elsewhere, nothing
-where quiet was asked for (warnings and errors still go to standard error)."""
+where quiet was asked for (warnings still go to standard error). A run goes on where nobody reads any more."""
 
+import contextlib
 import sys
 import time
+
+from launcher.common import printable
 
 
 class Display:
@@ -12,7 +15,8 @@ class Display:
         pass
 
     def warn(self, text: str) -> None:
-        print(text, file=sys.stderr, flush=True)
+        with contextlib.suppress(OSError):
+            print(printable(text), file=sys.stderr, flush=True)
 
     def progress(self, state: dict) -> None:
         pass
@@ -30,13 +34,14 @@ class Plain(Display):
         self.last = -self.INTERVAL
 
     def say(self, text: str) -> None:
-        print(text, flush=True)
+        with contextlib.suppress(OSError):
+            print(printable(text), flush=True)
 
     def progress(self, state: dict) -> None:
         now = time.monotonic()
         if now - self.last >= self.INTERVAL:
             self.last = now
-            print(state["text"], flush=True)
+            self.say(state["text"])
 
 
 class Rich(Display):
@@ -51,7 +56,7 @@ class Rich(Display):
         self.bar.start()
 
     def say(self, text: str) -> None:
-        self.bar.console.print(text, markup=False, highlight=False)
+        self.bar.console.print(printable(text), markup=False, highlight=False)
 
     def warn(self, text: str) -> None:
         self.say(text)

@@ -6,7 +6,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from launcher.common import ROOT, Refusal
+from launcher.common import ROOT, Refusal, read_text
+from launcher.processes import ended
 
 BUILD = {
     "g++": "compiles the programs (C++20)",
@@ -44,7 +45,7 @@ MEMORY = ROOT / "build" / "packages"  # what the last good answer of dpkg rested
 def installed(names) -> set[str]:
     """Those of `names` that dpkg knows as installed, in one call."""
     query = ["dpkg-query", "--show", "--showformat", "${db:Status-Abbrev} ${binary:Package}\n", *names]
-    lines = subprocess.run(query, capture_output=True, text=True, check=False).stdout.splitlines()
+    lines = ended(query).stdout.splitlines()
     return {line[3:].strip().split(":")[0] for line in lines if line.startswith("ii")}
 
 
@@ -63,6 +64,12 @@ def grounds() -> str:
     return "\n".join([str(STATUS.stat().st_mtime_ns) if STATUS.exists() else "", *NEEDED])
 
 
+def remembered() -> str | None:
+    with contextlib.suppress(OSError, Refusal):
+        return read_text(MEMORY)
+    return None
+
+
 def remember() -> None:
     with contextlib.suppress(OSError):  # where nothing can be written dpkg is asked each time
         MEMORY.parent.mkdir(exist_ok=True)
@@ -72,7 +79,7 @@ def remember() -> None:
 def ensure(say=print) -> None:
     """Installs what is missing; silent where nothing is, and dpkg is not asked again until a package or the list
     changes. Without root it prints the command and refuses."""
-    if MEMORY.exists() and MEMORY.read_text() == grounds():
+    if remembered() == grounds():
         return
     names = missing()
     if not names:
@@ -94,9 +101,12 @@ def ensure(say=print) -> None:
 
 
 def run_apt(command: list[str]) -> None:
-    """Runs apt quietly; its words appear only where it fails."""
+    """Runs apt quietly; its words appear only where it fails. It outlives the launcher: what it unpacks it sets up."""
     environment = os.environ | {"DEBIAN_FRONTEND": "noninteractive"}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    try:
+        done = subprocess.run(command, env=environment, capture_output=True, encoding="utf-8", errors="replace", check=False)
+    except FileNotFoundError as error:
+        raise Refusal(f"set-up needs the program {command[0]}; this system has none") from error
     if done.returncode != 0:
         raise Refusal(f"`{' '.join(command)}` must succeed; it ended with status {done.returncode}:\n"
                       f"{done.stdout[-2000:]}{done.stderr[-2000:]}")

@@ -7,7 +7,7 @@ from pathlib import Path
 from PIL import Image
 
 from launcher import plot, report, results, run, scenes
-from launcher.common import ROOT, Refusal, programs
+from launcher.common import ROOT, Refusal, programs, replace_text
 
 TEMPLATE = ROOT / "docs" / "paper.in.md"
 PAGE = ROOT / "docs" / "paper.md"
@@ -21,7 +21,7 @@ PICTURE = re.compile(r"\]\(paper/(\w+)/([\w.]+)\)")  # ](paper/scene/picture.png
 
 def make(run_scene, say=print) -> None:
     """`run_scene(path, folder)` runs a scene of configs/ and returns its exit status; runs of the same are kept."""
-    template, summaries = TEMPLATE.read_text(), {}
+    template, summaries = TEMPLATE.read_text(encoding="utf-8"), {}
     for scene in dict.fromkeys(found[1] for found in [*VALUE.finditer(template), *PICTURE.finditer(template)]):
         folder, path = RUNS / scene, scenes.find(scene)
         if not is_up_to_date(folder, path):
@@ -37,7 +37,7 @@ def make(run_scene, say=print) -> None:
             if name not in drawn:
                 raise Refusal(f"the picture {name} of {scene} is required by {TEMPLATE}; drawn were {sorted(drawn)}")
             compress(drawn[name], PICTURES / scene / name)
-    PAGE.write_text(fill(template, summaries))
+    replace_text(PAGE, fill(template, summaries))
 
 
 def is_up_to_date(folder: Path, scene: Path) -> bool:

@@ -15,9 +15,9 @@ def read_table(run: Path, name: str) -> dict[str, np.ndarray] | None:
     path = run / f"{name}.csv"
     if not path.exists():
         return None
-    with path.open(newline="") as file:
+    with results.reading(path), path.open(newline="") as file:
         rows = list(csv.DictReader(file))
-    return {key: np.array([float(row[key]) for row in rows]) for key in rows[0]} if rows else None
+        return {key: np.array([float(row[key]) for row in rows]) for key in rows[0]} if rows else None
 
 
 def figure(run: Path, scene: results.Scene):

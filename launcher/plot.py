@@ -1,5 +1,6 @@
 """Pictures of a run: maps, streamlines, surface of the pressure, tractions, profiles, trajectories, history."""
 
+import subprocess
 from pathlib import Path
 
 import matplotlib
@@ -8,7 +9,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
 
 from launcher import charts, granular, maps, movie, obstacles, percolation, report, results, streams, surface, tractions  # noqa: E402
-from launcher.common import Refusal  # noqa: E402
+from launcher.common import Refusal, naming, require_plain  # noqa: E402
+from launcher.processes import describe  # noqa: E402
 
 STYLE = {"figure.dpi": 110, "savefig.dpi": 110, "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
          "axes.grid": False, "legend.frameon": False, "figure.constrained_layout.use": True}
@@ -19,6 +21,9 @@ def draw(run: Path, moving: bool = False) -> list[Path]:
     if not run.is_dir():
         raise Refusal(f"a run folder is required; there is no {run}")
     folder = run / "plots"
+    for place in (run, folder):
+        if place.is_dir():
+            require_plain(place)
     scene, fields, bodies = results.read_scene(run), results.read_fields(run), results.read_bodies(run)
     on_bodies, history = results.read_tractions(run, bodies), results.read_history(run)
     time, boundaries = results.read_curves(run, "boundaries.h5", "traction")
@@ -28,7 +33,8 @@ def draw(run: Path, moving: bool = False) -> list[Path]:
     def save(figure, name):
         folder.mkdir(exist_ok=True)
         pictures.append(folder / name)
-        figure.savefig(pictures[-1])
+        with naming(pictures[-1]):
+            figure.savefig(pictures[-1])
         plt.close(figure)
 
     with plt.rc_context(STYLE):
@@ -73,4 +79,8 @@ def draw_movie(fields: results.Fields | None, bodies: results.Bodies | None, sce
     if bodies is None or len(bodies.time) < 2:
         raise Refusal("a movie needs bodies at two times or more in bodies.h5: set output.interval in the scene and run again")
     folder.mkdir(exist_ok=True)
-    return movie.make(fields, bodies, scene, folder)
+    try:
+        with naming(folder):
+            return movie.make(fields, bodies, scene, folder)
+    except subprocess.CalledProcessError as error:
+        raise Refusal(f"ffmpeg must make the movie in {folder}; it ended with {describe(error.returncode)}: {error.stderr}") from error

@@ -3,17 +3,37 @@ launcher dies, and ended for certain when a run is over."""
 
 import ctypes
 import os
+import shlex
 import signal
 import subprocess
 import time
 from pathlib import Path
 
+from launcher.common import Refusal, printable
+
 PR_SET_PDEATHSIG = 1
 _libc = ctypes.CDLL(None, use_errno=True)
 
 
-def _end_with_the_launcher() -> None:
+def end_with_the_launcher() -> None:
+    """To be called in a child before it becomes its program."""
     _libc.prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+
+
+def ended(command: list[str], **options) -> subprocess.CompletedProcess:
+    """Runs a program to its end, or ours. What it prints is captured as text, whatever its bytes, unless `options` say
+    otherwise."""
+    options = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | options
+    return subprocess.run(command, encoding="utf-8", errors="replace", check=False, preexec_fn=end_with_the_launcher, **options)
+
+
+def answer(command: list[str]) -> str:
+    """What a program prints; refuses in its own words where it ends with another status than 0."""
+    done = ended(command)
+    if done.returncode != 0:
+        words = done.stderr.strip().removeprefix(f"{os.path.basename(command[0])}: ")
+        raise Refusal(printable(words) or f"`{shlex.join(command)}` ended with {describe(done.returncode)}")
+    return done.stdout
 
 
 class Child:
@@ -23,7 +43,7 @@ class Child:
                  environment: dict[str, str] | None = None):
         self.name = name
         self.process = subprocess.Popen(command, stdin=stdin, stdout=stdout, stderr=stderr, process_group=0,
-                                        env=os.environ | (environment or {}), preexec_fn=_end_with_the_launcher)
+                                        env=os.environ | (environment or {}), preexec_fn=end_with_the_launcher)
 
     @property
     def status(self) -> int | None:

@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-from launcher.common import Refusal
+from launcher.common import Refusal, read_text
 
 MOST_LOADS = 6  # bodies, and boundaries, that have a line each
 WORTH_A_WORD = 0.01  # leak of outlines over the flow
@@ -43,9 +43,10 @@ def summary_of(run: Path) -> dict | None:
     if not path.exists():
         return None
     try:
-        return json.loads(path.read_text())
-    except json.JSONDecodeError as error:
-        raise Refusal(f"{path} must be JSON; it cannot be read: {error}") from error
+        summary = json.loads(read_text(path))
+        return {"reason": "", **summary, "status": summary["status"]}
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise Refusal(f"{path} must be JSON with a status; it cannot be read: {error}") from error
 
 
 def coupling(figures: dict) -> list[tuple[str, str]]:
@@ -69,6 +70,8 @@ def rows(summary: dict) -> list[tuple[str, str]]:
     iterations = summary["sub_iterations"]
     lines = [("status", summary["status"] + (f": {summary['reason']}" if summary["reason"] else "")),
              ("steps", f"{summary['steps']}")]
+    if not summary["steps"]:
+        return lines + costs(summary)  # where the bodies start is no result
     if iterations["max"]:
         lines.append(("sub-iterations", f"mean {iterations['mean']:.3g}, most {iterations['max']}"))
     lines += coupling(summary.get("coupling", {}))

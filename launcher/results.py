@@ -10,7 +10,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from launcher.common import Refusal
+from launcher.common import Refusal, require_regular
 
 
 @dataclass
@@ -112,6 +112,7 @@ class Fields:
     """fields.h5: opened once, snapshots read one by one."""
 
     def __init__(self, path: Path):
+        self.path = path
         self.file = h5py.File(path, "r")
         self.points = self.file["mesh/points"][:]
         cells = self.file["mesh/cells"][:]
@@ -123,15 +124,17 @@ class Fields:
         return len(self.steps)
 
     def time(self, index: int) -> float:
-        return float(self.file["steps"][self.steps[index]].attrs["time"])
+        with reading(self.path):
+            return float(self.file["steps"][self.steps[index]].attrs["time"])
 
     def times(self) -> np.ndarray:
         """Of the snapshots [s]"""
         return np.array([self.time(index) for index in range(len(self))])
 
     def snapshot(self, index: int) -> Snapshot:
-        group = self.file["steps"][self.steps[index]]
-        return Snapshot(self.time(index), group["velocity"][:], group["pressure"][:], group["active"][:] > 0)
+        with reading(self.path):
+            group = self.file["steps"][self.steps[index]]
+            return Snapshot(self.time(index), group["velocity"][:], group["pressure"][:], group["active"][:] > 0)
 
     def nearest(self, time: float) -> Snapshot:
         return self.snapshot(int(np.argmin(np.abs(self.times() - time))))
@@ -141,8 +144,9 @@ class Fields:
 def reading(path: Path):
     """Turns what a damaged file raises into a sentence."""
     try:
+        require_regular(path)
         yield
-    except (OSError, KeyError, ValueError, csv.Error) as error:
+    except (OSError, LookupError, ValueError, TypeError, AttributeError, RuntimeError, csv.Error) as error:
         raise Refusal(f"{path} must hold what a run writes, and cannot be read: {error}. "
                       "Move it away to draw what else there is") from error
 
@@ -151,13 +155,14 @@ def read_scene(run: Path) -> Scene:
     scene = scene_of(run)
     if not scene:
         return Scene()
-    fluid = scene.get("fluid", {})
-    boundaries, mesh = fluid.get("boundaries", {}).values(), fluid.get("mesh", {})
-    gravity = np.abs(scene.get("gravity", [0, 0]))
-    return Scene(upwards=int(np.argmax(gravity)) if gravity[1:].any() else 1, walls=scene.get("walls", []), folder=run,
-                 steady=scene.get("time", {}).get("steady", False), heavy=any(scene.get("gravity", [])),
-                 closed=all(boundary.get("type") != "traction" for boundary in boundaries),
-                 box=(mesh["lower"], mesh["upper"]) if mesh.get("lower") and mesh.get("upper") else None)
+    with reading(run / "scene.toml"):
+        fluid = scene.get("fluid", {})
+        boundaries, mesh = fluid.get("boundaries", {}).values(), fluid.get("mesh", {})
+        gravity = np.abs(scene.get("gravity", [0, 0]))
+        return Scene(upwards=int(np.argmax(gravity)) if gravity[1:].any() else 1, walls=scene.get("walls", []), folder=run,
+                     steady=scene.get("time", {}).get("steady", False), heavy=any(scene.get("gravity", [])),
+                     closed=all(boundary.get("type") != "traction" for boundary in boundaries),
+                     box=(mesh["lower"], mesh["upper"]) if mesh.get("lower") and mesh.get("upper") else None)
 
 
 def read_fields(run: Path) -> Fields | None:
@@ -242,7 +247,11 @@ def read_tractions(run: Path, bodies: Bodies | None) -> Tractions | None:
 
 def read_profile_quantities(run: Path) -> dict[str, str]:
     """What each profile of the scene shows."""
-    return {profile["name"]: profile["quantity"] for profile in scene_of(run).get("profiles", [])}
+    scene = scene_of(run)
+    if not scene:
+        return {}
+    with reading(run / "scene.toml"):
+        return {profile["name"]: profile["quantity"] for profile in scene.get("profiles", [])}
 
 
 def read_history(run: Path) -> dict[str, np.ndarray]:

@@ -2,22 +2,40 @@
 
 from pathlib import Path
 
-from launcher.common import ROOT, Refusal
+from launcher.common import ROOT, Refusal, read_text, require_regular
 
 FOLDER = ROOT / "configs"
 
 
 def find(word: str) -> Path:
     """The scene file called `word`: a path, or the name of a scene in configs/."""
-    for path in (Path(word), FOLDER / word, FOLDER / f"{word}.toml"):
+    return find_file(word, ".toml", "scene")
+
+
+def find_file(word: str, suffix: str, what: str) -> Path:
+    """The file called `word`: a path, or a name in configs/."""
+    places = Path(word), FOLDER / word, FOLDER / f"{word}{suffix}"
+    for path in places:
         if path.is_file():
             return path
-    names = ", ".join(path.stem for path in sorted(FOLDER.glob("*.toml")))
-    raise Refusal(f"a scene file is required; there is no {word}. Scenes that come with fpi: {names}")
+    for path in places:
+        if path.is_symlink() and not path.exists():
+            raise Refusal(f"a {what} file is required; {path} is a link to nothing")
+        if path.exists():
+            require_regular(path)
+    names = ", ".join(path.stem for path in sorted(FOLDER.glob(f"*{suffix}")))
+    raise Refusal(f"a {what} file ({suffix}) is required; there is no {word}. Those that come with fpi: {names}")
 
 
 def titles() -> list[tuple[str, str]]:
     """Name and title of each scene in configs/."""
+    return [(path.stem, title(path)) for path in sorted(FOLDER.glob("*.toml"))]
+
+
+def title(scene: Path) -> str:
     import tomllib  # no run needs it
 
-    return [(path.stem, tomllib.loads(path.read_text(encoding="utf-8")).get("title", "")) for path in sorted(FOLDER.glob("*.toml"))]
+    try:
+        return str(tomllib.loads(read_text(scene)).get("title", ""))
+    except (OSError, Refusal, tomllib.TOMLDecodeError) as error:
+        return f"(cannot be read: {error})"

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from launcher import build
-from launcher.common import ROOT, Refusal, program
-from launcher.processes import describe
+from launcher.common import ROOT, Refusal, program, replace_text
+from launcher.processes import answer, describe, ended
 
 LONGEST = 900  # seconds after which a case counts as hanging
 
@@ -57,20 +57,20 @@ class Sweep:
 
     def listed(self) -> list[tuple[str, str]]:
         cases = self.cases or (self.subject.quick_cases if self.quick else self.subject.cases)
-        listing = subprocess.run([*self.subject.command(), "--list", str(cases)], capture_output=True, text=True, check=True)
-        return [tuple(line.split("\t")) for line in listing.stdout.splitlines()]
+        listing = answer([*self.subject.command(), "--list", str(cases)])
+        return [tuple(line.split("\t")) for line in listing.splitlines()]
 
     def run_case(self, name: str) -> dict:
         """What the case says of itself, or how its process ended."""
         command = [*self.subject.command(), *self.options(), name]
         one_thread = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
         try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST, env=one_thread, check=False)
+            done = ended(command, timeout=LONGEST, env=one_thread)
         except subprocess.TimeoutExpired:
             return {"case": name, "failure": f"no end after {LONGEST} s", "refused": False, "parameters": {}}
         if done.returncode == 2:
             raise Refusal(done.stderr.strip())
-        if done.returncode != 0:
+        if done.returncode != 0 or not done.stdout.strip():
             how = f"its process ended with {describe(done.returncode)} {done.stderr.strip()}".strip()
             return {"case": name, "failure": how, "refused": False, "parameters": {}}
         return json.loads(done.stdout.splitlines()[-1])
@@ -126,4 +126,4 @@ def failures(sweep: Sweep, results: list[dict]) -> str:
 
 def write(path: Path, sweep: Sweep, results: list[dict]) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps({"subject": sweep.name, "seed": sweep.seed, "quick": sweep.quick, "cases": results}, indent=1) + "\n")
+    replace_text(path, json.dumps({"subject": sweep.name, "seed": sweep.seed, "quick": sweep.quick, "cases": results}, indent=1) + "\n")

@@ -2,6 +2,7 @@
 
 import contextlib
 import csv
+import io
 import itertools
 import json
 import math
@@ -12,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from launcher import report
-from launcher.common import Refusal
+from launcher.common import Refusal, naming, read_text, replace_text
 
 GROUPS = ("drives", "coefficients", "probes", "percolation")  # of summary.json, whose figures get a column
 LEADING = ("permeability", "superficial_velocity_x", "superficial_velocity_y", "pressure_gradient", "tortuosity")  # most wanted first
@@ -81,16 +82,22 @@ def points(axes: list[Axis]) -> list[Point]:
 def state_of(folder: Path, fingerprint_of, wanted: int) -> str:
     """What is there of a point: "done", "begun" with a checkpoint, or "new"."""
     if not (folder / "scene.toml").is_file():
+        if folder.exists() and not (folder.is_dir() and (run_began_in(folder) or not any(folder.iterdir()))):
+            raise Refusal(f"a folder for a run is required; {folder} holds something else: give --out another folder")
         return "new"
     if fingerprint_of(folder / "scene.toml") != wanted:
         raise Refusal(f"{folder} holds a run of another scene: give --out another folder, or remove it")
     try:
-        status = json.loads((folder / "summary.json").read_text())["status"]
-    except (OSError, ValueError, KeyError):
+        status = json.loads(read_text(folder / "summary.json"))["status"]
+    except (OSError, ValueError, KeyError, TypeError, Refusal):
         status = ""
     if status == "completed":
         return "done"
     return "begun" if report.has_checkpoint(folder) else "new"
+
+
+def run_began_in(folder: Path) -> bool:
+    return any((folder / name).exists() for name in ("coupler.log", "summary.json"))
 
 
 def figures(summary: dict) -> dict[str, float]:
@@ -107,6 +114,7 @@ class Row:
     point: Point
     status: str
     figures: dict[str, float]
+    reason: str = ""  # of a failure
 
 
 def columns(rows: list[Row]) -> list[str]:
@@ -114,12 +122,12 @@ def columns(rows: list[Row]) -> list[str]:
 
 
 def write(path: Path, rows: list[Row]) -> None:
-    names = columns(rows)
-    with path.open("w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow([*rows[0].point.values, "status", *names])
-        for row in rows:
-            writer.writerow([*row.point.values.values(), row.status, *(row.figures.get(name, "") for name in names)])
+    names, text = columns(rows), io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow([*rows[0].point.values, "status", *names])
+    for row in rows:
+        writer.writerow([*row.point.values.values(), row.status, *(row.figures.get(name, "") for name in names)])
+    replace_text(path, text.getvalue())
 
 
 def table(rows: list[Row]) -> str:
@@ -151,7 +159,7 @@ class Medium:
 
 
 def medium(scene: Path) -> Medium:
-    fluid = tomllib.loads(scene.read_text(encoding="utf-8"))
+    fluid = tomllib.loads(read_text(scene))
     direction = fluid.get("percolation", {}).get("direction", "x")
     fluid = fluid["fluid"]
     return Medium(fluid["density"], fluid.get("dynamic_viscosity") or fluid["kinematic_viscosity"] * fluid["density"], direction)
@@ -242,5 +250,6 @@ def chart(path: Path):
     figure, axis = plt.subplots(figsize=(5.2, 3.8), layout="constrained")
     yield axis
     axis.grid(alpha=0.3)
-    figure.savefig(path, dpi=150)
+    with naming(path):
+        figure.savefig(path, dpi=150)
     plt.close(figure)

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "core/error.hpp"
 #include "core/expression.hpp"
 #include "core/number.hpp"
+#include "core/read_file.hpp"
 #include "scene/document.hpp"
 #include "scene/scene.hpp"
 #include "scene/toml_text.hpp"
@@ -299,16 +299,8 @@ class Reader : public ParameterVisitor {
 };
 
 std::string read_bytes(const std::string& path) {
-  constexpr std::streamsize largest = 16 << 20;
-  std::ifstream file(path, std::ios::binary);
-  std::string text(static_cast<std::size_t>(largest) + 1, '\0');
-  file.read(text.data(), largest + 1);
-  fpi::require(file.gcount() > 0 || file.eof(),
-               "a scene file that can be read is required; got {}: check the name and permissions", path);
-  fpi::require(file.gcount() <= largest, "a scene of at most {} bytes is required; got more in {}", largest,
-               path);
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
+  constexpr std::size_t largest = 16 << 20;
+  return fpi::read_file(path, largest, "a scene file");
 }
 
 }  // namespace

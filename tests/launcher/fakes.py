@@ -22,8 +22,11 @@ if "--plan" in words:
     print(json.dumps({"title": "a fake", "scene_fingerprint": fingerprint, "participants": json.loads(scene), "stages": stages}))
     sys.exit(0)
 if "--check" in words:
-    print(words[words.index("--check") + 1] + ": ok")
-    sys.exit(0)
+    scene = words[words.index("--check") + 1]
+    refused = "broken" in open(scene).read()
+    print("report " + json.dumps({"status": "refused" if refused else "ok", "stages": [], "findings": [],
+                                  "text": [scene + (": 1 errors" if refused else ": ok")]}))
+    sys.exit(int(refused))
 out = words[words.index("--out") + 1]
 def note(status, reason):
     summary = {"status": "failed" if status else "completed", "reason": reason, "steps": 3, "unknowns": None,
@@ -89,7 +92,7 @@ class FakeTest(unittest.TestCase):
 
     def start(self, *words: str, fluid: str = "end", coupler: str = "") -> subprocess.Popen:
         environment = os.environ | {"FPI_BIN": str(self.bin), "FAKE_FLUID": fluid, "FAKE_COUPLER": coupler,
-                                    "FAKE_PID": str(self.folder / "pid")}
+                                    "FAKE_PID": str(self.folder / "pid"), "XDG_CONFIG_HOME": str(self.folder / "config")}
         return subprocess.Popen([str(ROOT / "fpi"), *words], cwd=self.folder, env=environment,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 

@@ -5,9 +5,9 @@ import os
 import shutil
 import signal
 import unittest
-import unittest.mock
+from unittest import mock
 
-from fakes import FakeTest, runs
+from fakes import COUPLER, FakeTest, runs
 
 
 class Running(FakeTest):
@@ -29,6 +29,29 @@ class Running(FakeTest):
         self.assertIn("--out r --watch-stdin --scene drop.toml --set a.b=1 --set c=2 --listen tcp://0.0.0.0:5999 "
                       "--keys k", out)
 
+    def test_an_error_of_the_coupler_is_told_once_and_its_warnings_at_once(self):
+        self.program("coupler", COUPLER.replace('note(1, "the run is', """
+print("2026-01-01 00:00:00.000 coupler warning: mind", file=sys.stderr)
+print("2026-01-01 00:00:00.000 coupler error: out of\\nluck", file=sys.stderr)
+end(1, "out of\\nluck")
+note(1, "the run is"""))
+        self.assertEqual(self.fpi("run", "drop.toml", "--quiet"),
+                         (1, "", "2026-01-01 00:00:00.000 coupler warning: mind\nfpi: out of\nluck\n"))
+        status, out, err = self.fpi("run", "drop.toml", "--json")
+        self.assertEqual((status, json.loads(out)["reason"], err.count("luck")), (1, "out of\nluck", 0))
+        status, out, err = self.fpi("run", "drop.toml")
+        self.assertEqual((status, (out + err).count("luck")), (1, 1))
+
+    def test_a_refused_resume_is_told_without_the_figures_of_the_run_before(self):
+        (self.folder / "old").mkdir()
+        (self.folder / "old" / "scene.toml").write_text((self.folder / "drop.toml").read_text())
+        self.assertEqual(self.fpi("resume", "old", "--quiet")[0], 0)
+        refusal = "2026-01-01 00:00:00.000 coupler error: nothing to resume"
+        self.program("coupler", COUPLER.replace('note(1, "the run is', f'sys.exit("{refusal}")\nnote(1, "the run is'))
+        self.assertEqual(self.fpi("resume", "old"), (1, mock.ANY, "fpi: nothing to resume\n"))
+        status, out, _ = self.fpi("resume", "old", "--json")
+        self.assertEqual(json.loads(out), {"run": "old", "status": "failed", "reason": "nothing to resume"})
+
     def test_a_vanished_participant_is_told_to_the_coupler_with_its_signal(self):
         status, out, _ = self.fpi("run", "drop.toml", fluid="die")
         self.assertEqual(status, 1)
@@ -36,14 +59,13 @@ class Running(FakeTest):
 
     def test_a_program_that_cannot_be_started_is_told_too(self):
         self.scene('[{"role": "fluid", "command": "no-such-program --fast", "external": false}]')
-        status, out, err = self.fpi("run", "drop.toml")
-        self.assertEqual(status, 1)
-        self.assertIn("exited fluid 127", out)
-        self.assertIn("no-such-program", err)
+        status, out, err = self.fpi("run", "drop.toml", "--trust")
+        self.assertEqual((status, err), (1, ""))
+        self.assertIn("failed: exited fluid 127 (the fluid program could not be started: no-such-program", out)
 
     def test_another_program_takes_the_role_that_the_scene_gives_it(self):
         self.scene(f'[{{"role": "fluid", "command": "{self.bin}/fluid_server --fast", "external": false}}]')
-        status, _, _ = self.fpi("run", "drop.toml")
+        status, _, _ = self.fpi("run", "drop.toml", "--trust")
         self.assertEqual(status, 0)
         self.assertTrue((self.folder / "pid.words").read_text().startswith("--fast --connect"))
 
@@ -86,7 +108,7 @@ class Stages(FakeTest):
     def run_with(self, ready: bool, **options) -> tuple[int, str]:
         (self.folder / "packing.toml").write_text((self.folder / "drop.toml").read_text())
         stage = {"scene": "packing.toml", "folder": "runs/stages/packing", "ready": ready}
-        with unittest.mock.patch.dict(os.environ, {"FAKE_STAGES": json.dumps([stage])}):
+        with mock.patch.dict(os.environ, {"FAKE_STAGES": json.dumps([stage])}):
             status, out, _ = self.fpi("run", "drop.toml", "--json", "--out", "r", **options)
         return status, out
 
@@ -163,6 +185,12 @@ class Ending(FakeTest):
         self.assertEqual(status, 1)
         self.assertIn("failed: coupler was killed by signal 9 (SIGKILL)\n", out)
 
+    def test_a_killed_coupler_is_named_in_quiet_and_in_json_once(self):
+        reason = "coupler was killed by signal 9 (SIGKILL)"
+        self.assertEqual(self.fpi("run", "drop.toml", "--quiet", coupler="die"), (1, "", f"fpi: {reason}\n"))
+        status, out, err = self.fpi("run", "drop.toml", "--json", coupler="die")
+        self.assertEqual((status, json.loads(out)["reason"], err), (1, reason, ""))
+
     def test_after_a_kill_the_word_that_continues_from_the_checkpoint_is_given(self):
         status, out, _ = self.fpi("run", "drop.toml", "--json", "--out", "r", coupler="die with checkpoint")
         self.assertEqual((status, json.loads(out)["reason"]),
@@ -178,7 +206,7 @@ class Ending(FakeTest):
         os.kill(pid, signal.SIGCONT)
         self.assertEqual(process.stderr.readline(), "fluid goes on\n")
         process.send_signal(signal.SIGINT)
-        self.assertEqual(process.communicate(timeout=60)[1], "")
+        self.assertEqual(process.communicate(timeout=60)[1], "fpi: interrupted\n")
 
     def test_nothing_outlives_a_killed_launcher(self):
         process = self.start("run", "drop.toml", fluid="hang")

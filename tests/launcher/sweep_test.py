@@ -82,6 +82,25 @@ class Running(FakeTest):
         self.assertEqual(status, 1)
         self.assertIn("failed", out)
 
+    def test_the_reason_of_a_failure_is_told_once_whatever_is_asked_for(self):
+        for mode in ("--quiet", "--json"):
+            status, out, err = self.fpi("sweep", "drop.toml", "a=1,2", "--out", "s", mode, fluid="die")
+            self.assertEqual(status, 1)
+            if mode == "--json":
+                self.assertEqual([one["reason"] for one in json.loads(out)["runs"]], 2 * ["exited fluid -9"])
+                self.assertEqual(err, "")
+            else:
+                self.assertEqual((out, err), ("", "fpi: a=1: exited fluid -9\nfpi: a=2: exited fluid -9\n"))
+
+    def test_a_folder_that_no_run_made_is_left_alone(self):
+        precious = self.folder / "s" / "a_1" / "precious"
+        precious.parent.mkdir(parents=True)
+        precious.write_text("")
+        status, _, err = self.fpi("sweep", "drop.toml", "a=1", "--out", "s")
+        self.assertEqual(status, 1)
+        self.assertIn("holds something else", err)
+        self.assertTrue(precious.exists())
+
 
 if __name__ == "__main__":
     unittest.main()
