@@ -15,6 +15,8 @@
 #include "core/version.hpp"
 #include "end_state.hpp"
 #include "grains/expand.hpp"
+#include "grains/outlet_fit.hpp"
+#include "grains/static_overlap.hpp"
 #include "json.hpp"
 #include "output/replace.hpp"
 #include "plan.hpp"
@@ -121,6 +123,8 @@ class Session {
     log::info("{}: {}", options_.resume ? "resuming" : "starting", scene_.title);
     for (const std::string& line : grains::describe(scene_)) log::info("{}", line);
     warn_of_stretch();
+    for (const std::string& sentence : grains::narrow_outlets(scene_)) log::warning("{}", sentence);
+    for (const std::string& sentence : grains::soft_materials(scene_)) log::warning("{}", sentence);
   }
 
   /// Softer contacts are an error that the scene asks for.

@@ -1,5 +1,7 @@
 #include "dem/neighbours.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -24,12 +26,15 @@ double mean_radius(const Bodies& bodies) {
 
 double largest_radius(const Bodies& bodies) { return *std::ranges::max_element(bodies.radius); }
 
-/// In a periodic box no pair may be within its skin of each other in two ways.
+/// In a periodic box no pair may be within its skin of each other in two ways; where every pair is listed,
+/// none may come to touch by another way than the shortest before the next search.
 double choose_skin(const Model& model, double reach) {
-  if (lists_every_pair(model)) return std::numeric_limits<double>::infinity();
-  double skin = skin_over_radius * mean_radius(model.bodies);
+  const bool every = lists_every_pair(model);
+  double skin =
+      every ? std::numeric_limits<double>::infinity() : skin_over_radius * mean_radius(model.bodies);
   for (const double length : model.periodic.length)
-    if (length > 0) skin = std::min(skin, 0.5 * length - 2 * largest_radius(model.bodies) - reach);
+    if (length > 0)
+      skin = std::min(skin, 0.5 * length - 2 * largest_radius(model.bodies) - (every ? 0 : reach));
   return skin;
 }
 
@@ -208,6 +213,10 @@ Neighbours search(const Model& model, const std::vector<Vec3>& position, double 
 Near near(const Model& model, const std::vector<Vec3>& position, const Pair& pair) {
   return {pair.a, pair.b, separation(model, position, pair),
           model.laws(model.bodies.material[pair.a], model.bodies.material[pair.b])};
+}
+
+std::string text(const Vec3& place) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", place.x(), place.y(), place.z());
 }
 
 std::string names(const Model& model, const Pair& pair) {

@@ -85,7 +85,7 @@ radius_range = [0.004, 0.006]
 density = 2500
 [[materials]]
 name = "glass"
-youngs_modulus = 1e6
+youngs_modulus = 1e8
 friction = 0.5
 rolling_friction = 0.1
 [[walls]]
@@ -102,6 +102,27 @@ centre = [0, 0]
 vertices = [-0.06, 0, -0.05, 0]
 spin = ["-6"]
 velocity = ["0.2*cos(20*t)", 0.1]
+"""
+
+
+SOFT_SCENE = """
+title = "a disc falls on a floor that is too soft for it"
+gravity = [0, -9.81]
+[time]
+step = 1e-3
+end = 0.8
+[[bodies]]
+name = "disc"
+radius = 0.01
+density = 2500
+position = [0, 1.01]
+[[materials]]
+name = "jelly"
+youngs_modulus = 1e6
+[[walls]]
+name = "floor"
+shape = "polyline"
+vertices = [-1, 0, 1, 0]
 """
 
 
