@@ -49,8 +49,7 @@ void check_outlets(const scene::Scene& scene) {
     const Free free(scene, width);
     require(!free.smallest || 2 * free.smallest->radius <= width,
             "outlet {} must hold a body as a whole, which then leaves; along {} it is {:g} m wide, and the "
-            "smallest "
-            "free body, {}, is {:g} m: make it wider",
+            "smallest free body, {}, is {:g} m: make it wider",
             outlet.name, "xyz"[axis], width, free.smallest ? free.smallest->name : "",
             free.smallest ? 2 * free.smallest->radius : 0);
   }

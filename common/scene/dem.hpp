@@ -24,19 +24,24 @@ struct Material {
 
   void declare(ParameterVisitor& v) {
     v.text({"name", "", "name that bodies and walls refer to; unique", true}, name);
-    v.real({"youngs_modulus", "Pa", "E, needed where dem.contact = \"hertz\""}, youngs_modulus,
-           not_negative());
-    v.real({"normal_stiffness", "N/m",
-            "k_n of a contact between two of this material, needed where dem.contact = \"linear\"; two "
-            "materials have the harmonic mean of theirs"},
-           normal_stiffness, not_negative());
+    v.real({"youngs_modulus", "Pa",
+            "E, needed where dem.contact = \"hertz\"; in a plane scene that of a metre of depth, see "
+            "docs/grains.md"},
+           youngs_modulus, not_negative());
+    v.real(
+        {"normal_stiffness", "N/m",
+         "k_n of a contact between two of this material, in a plane scene of a metre of depth, needed where "
+         "dem.contact = \"linear\"; two materials have the harmonic mean of theirs"},
+        normal_stiffness, not_negative());
     v.real({"poisson_ratio", "", "Poisson's ratio"}, poisson_ratio, between(0, 0.5));
     v.real({"restitution", "", "normal speed after over before a dry impact"}, restitution,
            above_up_to(0, 1));
     v.real({"friction", "", "Coulomb friction coefficient μ"}, friction, not_negative());
     v.real({"rolling_friction", "", "rolling resistance coefficient: moment at most μ_r R* N"},
            rolling_friction, not_negative());
-    v.real({"adhesion", "J/m²", "work of adhesion w: surfaces that touch pull with 3/2 π w R*; 0: none"},
+    v.real({"adhesion", "J/m²",
+            "work of adhesion w: surfaces that touch pull with 3/2 π w R*, in a plane scene a metre of "
+            "depth; 0: none"},
            adhesion, not_negative());
     v.real(
         {"twisting_friction", "", "resistance to spin about the contact's normal: moment at most μ_t R* N"},
@@ -89,7 +94,7 @@ struct Dem {
   std::string loads = "held";     ///< held | linear
   bool energy = false;            ///< whether the account of energies is kept
   double stretch = 1;             ///< of contact times
-  double lost_distance = 0;       ///< [m]; 0: a thousand diagonals of the box around all at the start
+  double lost_distance = 0;       ///< [m]; 0: as far as makes sense of the scene
   Lubrication lubrication;
   NearField near_field;
   double adhesion_range = 0.01;  ///< over R*
@@ -140,11 +145,15 @@ struct Dem {
            start_overlap, between(0, 0.5));
     v.real({"lost_distance", "m",
             "a free body farther than this outside the box around all bodies and walls at the start is lost, "
-            "and the run ends; 0: a thousand diagonals of that box"},
+            "and the run ends; 0: a thousand diagonals of that box, or as far as bodies fly and fall in the "
+            "run"},
            lost_distance, not_negative());
     v.real({"adhesion_range", "", "gap, over R*, on which the pull of adhesion falls to zero"},
            adhesion_range, above_up_to(0, 1));
-    v.table({"near_field", "", "attraction and repulsion between bodies that need not touch"}, near_field);
+    v.table(
+        {"near_field", "",
+         "attraction and repulsion between bodies that need not touch, in a plane scene of a metre of depth"},
+        near_field);
     v.table({"lubrication", "", "what narrow gaps resist with beyond what the fluid's mesh resolves"},
             lubrication);
   }

@@ -28,7 +28,7 @@ struct ContactCount {
   std::uint64_t touching = 0;
   double largest_overlap = 0;   ///< [m]
   std::string too_deep{};       ///< "a and b" that overlap by a radius or more: what comes then is no contact
-  std::uint32_t deep_body = 0;  ///< a
+  std::uint32_t deep_body = 0;  ///< the one that moves
 
   std::vector<ContactForce> forces{};  ///< of each, where the scene accounts for energy
 

@@ -146,6 +146,7 @@ class Integration {
 
   void implicit_sub_step() {
     fastest_ = sweep({});
+    moved_ = farthest_moved(*state_.neighbours, particles_);
     search_ahead();
     TrapezoidalStep step(particles_, motions_.orientation, dt_);
     const PairMemories memories = memories_;

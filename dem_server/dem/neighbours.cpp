@@ -1,7 +1,5 @@
 #include "dem/neighbours.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -213,10 +211,6 @@ Neighbours search(const Model& model, const std::vector<Vec3>& position, double 
 Near near(const Model& model, const std::vector<Vec3>& position, const Pair& pair) {
   return {pair.a, pair.b, separation(model, position, pair),
           model.laws(model.bodies.material[pair.a], model.bodies.material[pair.b])};
-}
-
-std::string text(const Vec3& place) {
-  return fmt::format("({:.4g}, {:.4g}, {:.4g})", place.x(), place.y(), place.z());
 }
 
 std::string names(const Model& model, const Pair& pair) {

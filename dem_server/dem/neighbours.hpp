@@ -86,8 +86,6 @@ void each_pair(const Neighbours& neighbours, Visit visit) {
   }
 }
 
-/// "(x, y, z)" for messages.
-std::string text(const Vec3& place);
 /// "a and b" for messages.
 std::string names(const Model& model, const Pair& pair);
 

@@ -227,7 +227,7 @@ class PairForces {
     if (!too_deep) return;
     const int k = std::countr_zero(too_deep);
     const Pair pair{particles_.body[batch.lower[k]], particles_.body[batch.higher[k]]};
-    count.note_too_deep(names(model_, pair), pair.a);
+    count.note_too_deep(names(model_, pair), model_.bodies.is_free(pair.a) ? pair.a : pair.b);
   }
 
   const Model& model_;

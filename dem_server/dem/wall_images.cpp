@@ -56,10 +56,9 @@ void check_plane(const PeriodicBox& box, const Plane& plane, const scene::Wall& 
 /// Every mark that is within the wall's own length when it is moved by a box must lie on the wall there.
 void check_goes_on(const PeriodicBox& box, const Wall& wall, std::span<const Facet> facets, int axis) {
   const double length = box.length[axis], near = tolerance * length;
-  const FacetGrid grid(std::vector<Facet>(facets.begin(), facets.end()));
   std::vector<std::uint32_t> found;
   const auto is_on_wall = [&](const Vec3& x) {
-    grid.find({x - Vec3::Constant(near), x + Vec3::Constant(near)}, found);
+    wall.grid.find({x - Vec3::Constant(near), x + Vec3::Constant(near)}, found);
     return std::ranges::any_of(
         found, [&](std::uint32_t f) { return std::abs(nearest(facets[f], x).distance) <= near; });
   };
@@ -69,13 +68,11 @@ void check_goes_on(const PeriodicBox& box, const Wall& wall, std::span<const Fac
         Vec3 x = mark;
         x[axis] += way;
         if (x[axis] < wall.box.min()[axis] - near || x[axis] > wall.box.max()[axis] + near) continue;
-        require(is_on_wall(x),
-                "wall {} reaches through the box along periodic.{} and must go on as its own image; ({:.6g}, "
-                "{:.6g}, "
-                "{:.6g}) m, its image of ({:.6g}, {:.6g}, {:.6g}) m, is not on it: let both ends meet, or "
-                "make it "
-                "shorter than the box, {:g} m",
-                wall.name, "xyz"[axis], x.x(), x.y(), x.z(), mark.x(), mark.y(), mark.z(), length);
+        require(
+            is_on_wall(x),
+            "wall {} reaches through the box along periodic.{} and must go on as its own image; {} m, the "
+            "image of {} m, is not on it: let both ends meet, or make it shorter than the box, {:g} m",
+            wall.name, "xyz"[axis], text(x), text(mark), length);
       }
 }
 
@@ -87,12 +84,28 @@ bool turns_out_of(const scene::Wall& declared, int axis) {
   return false;
 }
 
-void check_turn(const PeriodicBox& box, const Wall& wall, const scene::Wall& declared, int axis) {
+/// How far [m] it reaches from where it turns about, at most.
+double reach(const Wall& wall, std::span<const Facet> facets) {
+  if (is_plane(wall)) return wall.extent;
+  double farthest = 0;
+  for (const Facet& facet : facets) {
+    if (const auto* arc = std::get_if<Arc>(&facet))
+      farthest = std::max(farthest, (arc->centre - wall.centre).norm() + arc->radius);
+    else
+      for (const Vec3& mark : marks(facet)) farthest = std::max(farthest, (mark - wall.centre).norm());
+  }
+  return farthest;
+}
+
+void check_turn(const PeriodicBox& box, const Wall& wall, std::span<const Facet> facets,
+                const scene::Wall& declared, int axis) {
+  if (!turns_out_of(declared, axis)) return;
+  const double farthest = reach(wall, facets);
   require(
-      !turns_out_of(declared, axis) || 2 * wall.extent <= box.length[axis],
+      2 * farthest <= (1 + tolerance) * box.length[axis],
       "wall {} turns and must stay within half of periodic.{}, {:g} m, of its centre; got {:g} m: make it "
       "shorter, the box wider, or leave its spin out",
-      wall.name, "xyz"[axis], 0.5 * box.length[axis], wall.extent);
+      wall.name, "xyz"[axis], 0.5 * box.length[axis], farthest);
 }
 
 /// A number that stays one for a body however far away.
@@ -129,7 +142,7 @@ void check_fit(const PeriodicBox& box, const Wall& wall, std::span<const Facet> 
   if (is_plane(wall)) check_plane(box, std::get<Plane>(facets[0]), declared);
   for (int axis = 0; axis < 3; ++axis) {
     if (box.length[axis] == 0) continue;
-    check_turn(box, wall, declared, axis);
+    check_turn(box, wall, facets, declared, axis);
     if (!is_plane(wall) && spans(box, wall, axis)) check_goes_on(box, wall, facets, axis);
   }
 }

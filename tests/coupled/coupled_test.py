@@ -205,7 +205,7 @@ class Coupled(unittest.TestCase):
         self.assertRegex(run.summary["reason"], r'body "disc.1" must stay in the mesh, or leave through one of \[\[outlets')
 
     def test_a_disc_that_sinks_through_a_closed_side_of_the_fluid_is_named_with_the_walls_to_add(self):
-        scene = SETTLING_SCENE.replace("[0.005, 0.015]", "[0.005, 0.0016]").replace("end = 0.02", "end = 1.0")
+        scene = SETTLING_SCENE.replace("1250.0", "8000.0").replace("0.015]", "0.002]").replace("0.024", "1.0")
         with CoupledRun(self.folder, scene) as run:
             self.assertEqual(run.wait(), 1)
         self.assertRegex(run.summary["reason"], r'body "disc" reaches out of the mesh at \(0.00\d+, -\S+\) m: stop it with '

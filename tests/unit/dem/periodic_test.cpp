@@ -275,6 +275,13 @@ TEST(Periodic, walls_that_go_on_in_the_next_box_or_end_in_it_fit) {
   arc.centre = {0.05, 0.1};
   arc.radius = 0.05;
   EXPECT_EQ(fits(arc), "") << "as wide as the box";
+  arc.spin = {"1"};
+  EXPECT_EQ(fits(arc), "") << "and turning in its place";
+  arc.radius = 0.08;
+  arc.start = 0;
+  arc.end = 0.5;
+  arc.spin = {"0"};
+  EXPECT_EQ(fits(arc), "") << "a bit of a circle wider than the box";
   scene::Wall blade = polyline({0.02, 0, 0.08, 0});
   blade.centre = {0.05, 0};
   blade.spin = {"3"};
