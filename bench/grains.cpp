@@ -69,11 +69,10 @@ std::vector<scene::Wall> make_walls(const std::vector<double>& bounds) {
   return walls;
 }
 
-/// In a plane scene its modulus is that of a metre of depth.
-scene::Material grain_material(double restitution, double depth) {
+scene::Material grain_material(double restitution) {
   scene::Material material;
   material.name = "grain";
-  material.youngs_modulus = 1e7 / depth;
+  material.youngs_modulus = 1e7;
   material.poisson_ratio = 0.25;
   material.restitution = restitution;
   material.friction = 0.5;
@@ -121,7 +120,7 @@ int main(int argc, char** argv) {
     }
     problem.gravity = discs ? dem::Vec3(0, -gravity, 0) : dem::Vec3(0, 0, -gravity);
     problem.thickness = discs_thickness;
-    problem.materials = {grain_material(restitution, discs ? discs_thickness : 1)};
+    problem.materials = {grain_material(restitution)};
     problem.dem.steps_per_contact = 10;  // so that the step asked for is taken
     problem.dem.largest_sub_step = dt;
     problem.bodies = read_packing(argv[1], discs);

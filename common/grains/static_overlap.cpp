@@ -17,15 +17,14 @@ const scene::Material* material_of(const scene::Scene& scene, const std::string&
 }
 
 /// Overlap [m] of a contact of the effective radius that carries `weight` [N]: F = 4/3 E* √R* δ^(3/2), or k
-/// δ, both for a metre of depth in a plane scene.
-double overlap(const scene::Scene& scene, const scene::Material& a, const scene::Material& b, double radius,
-               double weight, double depth) {
-  const scene::Dem dem = scene.dem.value_or(scene::Dem{});
+/// δ.
+double overlap(const scene::Dem& dem, const scene::Material& a, const scene::Material& b, double radius,
+               double weight) {
   if (dem.contact == "linear")
-    return weight / depth * dem.stretch * dem.stretch * (0.5 / a.normal_stiffness + 0.5 / b.normal_stiffness);
+    return weight * dem.stretch * dem.stretch * (0.5 / a.normal_stiffness + 0.5 / b.normal_stiffness);
   const double compliance = (1 - a.poisson_ratio * a.poisson_ratio) / a.youngs_modulus +
                             (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus;
-  const double stiffness = 4.0 / 3 * std::pow(dem.stretch, -2.5) / compliance * std::sqrt(radius) * depth;
+  const double stiffness = 4.0 / 3 * std::pow(dem.stretch, -2.5) / compliance * std::sqrt(radius);
   return std::pow(weight / stiffness, 2.0 / 3);
 }
 
@@ -44,14 +43,15 @@ double weight(const scene::Scene& scene, const scene::Body& body) {
 }  // namespace
 
 StaticOverlap deepest_static_overlap(const scene::Scene& scene) {
+  const scene::Dem dem = scene.dem.value_or(scene::Dem{});
   StaticOverlap deepest;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const scene::Body& body = scene.bodies[i];
     const scene::Material* own = material_of(scene, body.material);
     if (!body.is_free() || !own) continue;
-    const double force = weight(scene, body), depth = body.is_plane() ? scene.thickness : 1;
+    const double force = weight(scene, body);
     const auto consider = [&](const scene::Material& other, double radius, const auto& on) {
-      const double share = overlap(scene, *own, other, radius, force, depth) / body.radius;
+      const double share = overlap(dem, *own, other, radius, force) / body.radius;
       if (share > deepest.share) deepest = {i, on(), share};
     };
     for (const scene::Wall& wall : scene.walls)
@@ -66,14 +66,18 @@ std::vector<std::string> soft_materials(const scene::Scene& scene) {
   const StaticOverlap found = deepest_static_overlap(scene);
   if (found.share <= soft) return {};
   const bool linear = scene.dem && scene.dem->contact == "linear";
-  const std::string depth =
-      scene.bodies[found.body].is_plane() ? ", which in a plane scene stands for a metre of depth" : "";
-  return {
-      fmt::format("{} sinks by {:.2g} of its radius into {} under its own weight: it would be pressed in, or "
-                  "pass through. Take a "
-                  "larger {}{}; a hundredth is usual",
-                  scene.bodies[found.body].name, found.share, found.on,
-                  linear ? "normal_stiffness" : "youngs_modulus", depth)};
+  const scene::Body& body = scene.bodies[found.body];
+  const std::string thickness =
+      body.is_plane() ? fmt::format(
+                            ", or a thickness below {:g} m: discs touch as spheres of their radius, whatever "
+                            "their thickness and weight",
+                            scene.thickness)
+                      : "";
+  return {fmt::format(
+      "{} sinks by {:.2g} of its radius into {} under its own weight, and may be pressed through: a "
+      "hundredth is usual. "
+      "Take a larger {}{}",
+      body.name, found.share, found.on, linear ? "normal_stiffness" : "youngs_modulus", thickness)};
 }
 
 }  // namespace fpi::grains

@@ -25,23 +25,20 @@ struct Material {
   void declare(ParameterVisitor& v) {
     v.text({"name", "", "name that bodies and walls refer to; unique", true}, name);
     v.real({"youngs_modulus", "Pa",
-            "E, needed where dem.contact = \"hertz\"; in a plane scene that of a metre of depth, see "
-            "docs/grains.md"},
+            "E, needed where dem.contact = \"hertz\"; discs touch as spheres of their radius, whatever the "
+            "thickness"},
            youngs_modulus, not_negative());
-    v.real(
-        {"normal_stiffness", "N/m",
-         "k_n of a contact between two of this material, in a plane scene of a metre of depth, needed where "
-         "dem.contact = \"linear\"; two materials have the harmonic mean of theirs"},
-        normal_stiffness, not_negative());
+    v.real({"normal_stiffness", "N/m",
+            "k_n of a contact between two of this material, needed where dem.contact = \"linear\"; two "
+            "materials have the harmonic mean of theirs"},
+           normal_stiffness, not_negative());
     v.real({"poisson_ratio", "", "Poisson's ratio"}, poisson_ratio, between(0, 0.5));
     v.real({"restitution", "", "normal speed after over before a dry impact"}, restitution,
            above_up_to(0, 1));
     v.real({"friction", "", "Coulomb friction coefficient μ"}, friction, not_negative());
     v.real({"rolling_friction", "", "rolling resistance coefficient: moment at most μ_r R* N"},
            rolling_friction, not_negative());
-    v.real({"adhesion", "J/m²",
-            "work of adhesion w: surfaces that touch pull with 3/2 π w R*, in a plane scene a metre of "
-            "depth; 0: none"},
+    v.real({"adhesion", "J/m²", "work of adhesion w: surfaces that touch pull with 3/2 π w R*; 0: none"},
            adhesion, not_negative());
     v.real(
         {"twisting_friction", "", "resistance to spin about the contact's normal: moment at most μ_t R* N"},
@@ -150,10 +147,7 @@ struct Dem {
            lost_distance, not_negative());
     v.real({"adhesion_range", "", "gap, over R*, on which the pull of adhesion falls to zero"},
            adhesion_range, above_up_to(0, 1));
-    v.table(
-        {"near_field", "",
-         "attraction and repulsion between bodies that need not touch, in a plane scene of a metre of depth"},
-        near_field);
+    v.table({"near_field", "", "attraction and repulsion between bodies that need not touch"}, near_field);
     v.table({"lubrication", "", "what narrow gaps resist with beyond what the fluid's mesh resolves"},
             lubrication);
   }

@@ -118,27 +118,6 @@ PeriodicBox make_box(const Problem& problem) {
   return box;
 }
 
-/// In a plane scene all that acts is that of a metre of depth times the thickness, as mass and the fluid's
-/// forces are, so that motions do not depend on it. `value` is a stiffness, adhesion or strength of
-/// attraction.
-double of_depth(const Problem& problem, double value) {
-  return problem.bodies[0].is_plane() ? problem.thickness * value : value;
-}
-
-std::vector<scene::Material> materials_of(const Problem& problem) {
-  std::vector<scene::Material> materials = stretched(problem.materials, problem.dem.stretch);
-  for (scene::Material& m : materials)
-    for (double* value : {&m.youngs_modulus, &m.normal_stiffness, &m.adhesion})
-      *value = of_depth(problem, *value);
-  return materials;
-}
-
-scene::NearField near_field_of(const Problem& problem) {
-  scene::NearField field = problem.dem.near_field;
-  for (double* value : {&field.attraction, &field.repulsion}) *value = of_depth(problem, *value);
-  return field;
-}
-
 /// Everything that would leave the plane z = 0 of a scene of discs.
 void check_plane(const Problem& problem) {
   require(problem.periodic.z.empty(), "periodic.z goes with spheres; got discs: remove it");
@@ -181,11 +160,11 @@ Model make_model(const Problem& problem) {
     check_fit(model.periodic, added, std::span(model.walls.facets).subspan(added.first_facet), wall);
   }
   model.elasticity = problem.dem.contact == "linear" ? Elasticity::linear : Elasticity::hertz;
-  model.laws = LawTable(materials_of(problem), model.elasticity);
+  model.laws = LawTable(stretched(problem.materials, problem.dem.stretch), model.elasticity);
   const scene::Lubrication& lubrication = problem.dem.lubrication;
-  model.lubricant = {of_depth(problem, lubrication.viscosity.value_or(0)), lubrication.roughness,
-                     problem.hydraulic_radius_ratio};
-  model.near_field = near_field_of(problem);
+  model.lubricant = {lubrication.viscosity.value_or(0) * (model.plane ? problem.thickness : 1),
+                     lubrication.roughness, problem.hydraulic_radius_ratio};
+  model.near_field = problem.dem.near_field;
   model.adhesion_range = problem.dem.adhesion_range;
   model.accounts_energy = problem.dem.energy;
   model.stretch = problem.dem.stretch;

@@ -85,7 +85,7 @@ radius_range = [0.004, 0.006]
 density = 2500
 [[materials]]
 name = "glass"
-youngs_modulus = 1e8
+youngs_modulus = 1e6
 friction = 0.5
 rolling_friction = 0.1
 [[walls]]

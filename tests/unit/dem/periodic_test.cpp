@@ -189,7 +189,7 @@ TEST(Periodic, a_wall_that_ends_meets_grains_through_the_planes_as_in_the_box) {
     step(there, 2e-3);
     EXPECT_LT((here.motions().position[0] - there.motions().position[0]).norm(), 1e-12) << k;
   }
-  EXPECT_GT(here.motions().velocity[0].norm(), 0.01) << "it was hit";
+  EXPECT_GT(here.motions().position[0].y(), 0.009) << "it fell on the end and stays there";
 }
 
 /// Walls and free discs of a box 1 m long, by default two, one of them out of the way.
@@ -342,7 +342,7 @@ TEST(Periodic, discs_meet_around_the_box_whatever_the_step) {
       Solver solver(around_the_box(others));
       for (double t = 0; t < 1 - 1e-9; t += dt) step(solver, dt);
       EXPECT_NEAR(solver.motions().velocity[0].x(), 1, 1e-6) << others << " " << dt;
-      EXPECT_NEAR(solver.motions().position[0].x(), 0.7, 1e-3) << others << " " << dt;
+      EXPECT_NEAR(solver.motions().position[0].x(), 0.7, 5e-3) << others << " " << dt;
     }
 }
 

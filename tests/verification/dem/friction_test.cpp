@@ -18,9 +18,7 @@ Problem resting(const std::string& shape, double restitution = 0.2) {
   Problem problem = test::on_floor(m, body("b", shape, R, 2500, {0, R, 0}, {0, 0, 0}));
   problem.thickness = R;
   const double weight = g * 2500 * problem.bodies[0].volume(R, problem.thickness);
-  const double depth = shape == "disc" ? problem.thickness : 1;
-  problem.bodies[0].position[1] -=
-      std::pow(weight / (depth * Hertz::stiffness(combine(m, m).normal, R)), 2.0 / 3);
+  problem.bodies[0].position[1] -= std::pow(weight / Hertz::stiffness(combine(m, m).normal, R), 2.0 / 3);
   return problem;
 }
 
