@@ -2,6 +2,7 @@
 /// was, and is named in no message any more.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "coupled_state.hpp"
@@ -16,8 +17,10 @@ struct Departure {
   double mass = 0;               ///< [kg]
 };
 
-/// The free bodies that are still there and wholly in an outlet.
-std::vector<Departure> departures(const scene::Scene& scene, const CoupledState& state);
+/// The free bodies that are still there and were wholly in an outlet on the straight way from where they were
+/// `before` the step, so that a fast one does not jump over it; at its end only where that is left out.
+std::vector<Departure> departures(const scene::Scene& scene, const CoupledState& state,
+                                  std::span<const coupling::RigidMotion> before = {});
 
 /// Whether a body at this place [m] is in an outlet, wholly or in part.
 bool is_at_outlet(const scene::Scene& scene, const scene::Body& body, const Eigen::Vector3d& position);

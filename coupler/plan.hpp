@@ -24,8 +24,8 @@ struct Plan {
   std::vector<Stage> stages;  ///< to be run before, unless they are ready
 };
 
-/// `files` are those that the scene names and that are there already.
 std::vector<PlannedParticipant> planned_participants(const scene::Scene& scene);
+/// `files` are those that the scene names and that are there already.
 Plan make_plan(const StagedScene& staged, const Files& files);
 
 }  // namespace fpi

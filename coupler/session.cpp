@@ -18,6 +18,8 @@
 #include "core/version.hpp"
 #include "end_state.hpp"
 #include "grains/expand.hpp"
+#include "grains/outlet_fit.hpp"
+#include "grains/static_overlap.hpp"
 #include "json.hpp"
 #include "output/replace.hpp"
 #include "plan.hpp"
@@ -173,6 +175,8 @@ class Session {
     if (options_.resume && !checkpoint_) log::warning("there is no checkpoint yet: the run begins anew");
     for (const std::string& line : grains::describe(scene_)) log::info("{}", line);
     warn_of_stretch();
+    for (const std::string& sentence : grains::narrow_outlets(scene_)) log::warning("{}", sentence);
+    for (const std::string& sentence : grains::soft_materials(scene_)) log::warning("{}", sentence);
   }
 
   /// Softer contacts are an error that the scene asks for.

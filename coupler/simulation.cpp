@@ -340,7 +340,7 @@ void Simulation::accept() {
 void Simulation::settle() {
   if (!trial_.state.onset) trial_.state.onset = find_onset(scene_, trial_.state.motions, trial_.end);
   remember_balance();
-  departures_ = fpi::departures(scene_, trial_.state);
+  departures_ = fpi::departures(scene_, trial_.state, accepted_.motions);
   take_out(departures_, trial_.state);
   forecast_.take_out(unknowns_left(trial_.state));
   solvers_.accept(trial_.state, departures_);

@@ -270,8 +270,8 @@ std::vector<proto::ArcLength> Solvers::wanted_lengths(const CoupledState& state)
     const Eigen::Vector3d& at = state.motions[i].position;
     require(length > 0 || is_at_outlet(scene_, scene_.bodies[i], at),
             "body \"{}\" must stay in the mesh, or leave through one of [[outlets]]; at ({:g}, {:g}) m it "
-            "meets no "
-            "element: end the run earlier, make the mesh larger, or add an outlet there",
+            "meets no element: stop it with one of [[walls]], add an outlet there, make the mesh larger, or "
+            "end the run earlier",
             scene_.bodies[i].name, at.x(), at.y());
     if (length > 0) lengths.push_back({.body = i, .length = length});
   }

@@ -34,6 +34,7 @@ Meshes read_meshes(const scene::Scene& scene, const std::vector<proto::File>& fi
 Problem make_problem(const scene::Scene& scene, Meshes meshes) {
   return {.gravity = to_eigen(scene::to_vec3(scene.gravity)),
           .thickness = scene.thickness,
+          .duration = scene.time.end,
           .hydraulic_radius_ratio = scene.hydraulic_radius_ratio,
           .periodic = scene.periodic,
           .dem = scene.dem.value_or(scene::Dem{}),

@@ -81,6 +81,32 @@ proto::Traction write_traction(const BodyTraction& t, double thickness) {
   return out;
 }
 
+/// Of the first body that has a part outside the mesh, and what would stop it; empty where none has.
+std::string body_outside(const scene::Scene& scene, const NavierStokes& solver, const Request& request) {
+  constexpr int places = 64;  // of each outline
+  for (const Interface& interface : request.interfaces)
+    for (int k = 0; k < places; ++k) {
+      const Vec2 x = interface.outline.at(interface.outline.period() * k / places);
+      if (solver.has(x)) continue;
+      return fmt::format(
+          "body \"{}\" reaches out of the mesh at ({:.4g}, {:.4g}) m: stop it with one of [[walls]], or let "
+          "it leave where the boundary is open by [[outlets]]",
+          scene.bodies.at(static_cast<std::size_t>(interface.body)).name, x.x(), x.y());
+    }
+  return "";
+}
+
+/// A flow that cannot be may be so because a body leaves where nothing can follow it.
+Result solve(const scene::Scene& scene, NavierStokes& solver, const Request& request) {
+  try {
+    return solver.advance(request);
+  } catch (const Error& error) {
+    const std::string outside = body_outside(scene, solver, request);
+    if (outside.empty()) throw;
+    fail("{}; {}", outside, error.what());
+  }
+}
+
 }  // namespace
 
 proto::Configured FluidService::configure(const proto::Configure& message) {
@@ -123,7 +149,7 @@ proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const prot
   Request request{message.time, message.time_step, stamp.sub_iteration, {}, message.wants_resistance};
   for (const proto::Interface& interface : message.interfaces)
     request.interfaces.push_back(read_interface(interface, message.time_step, scene_.thickness));
-  const Result result = solver().advance(request);
+  const Result result = solve(scene_, solver(), request);
   proto::FluidAdvanced out{.converged = result.newton.converged,
                            .reason = result.newton.reason,
                            .newton_iterations = static_cast<std::uint32_t>(result.newton.iterations),

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "grains/lattice.hpp"
+#include "grains/outlet_fit.hpp"
 #include "grains/packing.hpp"
 #include "grains/radii.hpp"
 #include "grains/start.hpp"
@@ -127,6 +128,7 @@ void expand(scene::Scene& scene, const Content& content) {
     for (const Row& row : rows) scene.bodies.push_back(body_of(group, group.count++, row));
   }
   check_start(scene);
+  check_outlets(scene);
 }
 
 std::vector<std::string> describe(const scene::Scene& scene) {

@@ -24,8 +24,10 @@ struct Material {
 
   void declare(ParameterVisitor& v) {
     v.text({"name", "", "name that bodies and walls refer to; unique", true}, name);
-    v.real({"youngs_modulus", "Pa", "E, needed where dem.contact = \"hertz\""}, youngs_modulus,
-           not_negative());
+    v.real({"youngs_modulus", "Pa",
+            "E, needed where dem.contact = \"hertz\"; discs touch as spheres of their radius, whatever the "
+            "thickness"},
+           youngs_modulus, not_negative());
     v.real({"normal_stiffness", "N/m",
             "k_n of a contact between two of this material, needed where dem.contact = \"linear\"; two "
             "materials have the harmonic mean of theirs"},
@@ -89,7 +91,7 @@ struct Dem {
   std::string loads = "held";     ///< held | linear
   bool energy = false;            ///< whether the account of energies is kept
   double stretch = 1;             ///< of contact times
-  double lost_distance = 0;       ///< [m]; 0: a thousand diagonals of the box around all at the start
+  double lost_distance = 0;       ///< [m]; 0: as far as makes sense of the scene
   Lubrication lubrication;
   NearField near_field;
   double adhesion_range = 0.01;  ///< over R*
@@ -140,7 +142,8 @@ struct Dem {
            start_overlap, between(0, 0.5));
     v.real({"lost_distance", "m",
             "a free body farther than this outside the box around all bodies and walls at the start is lost, "
-            "and the run ends; 0: a thousand diagonals of that box"},
+            "and the run ends; 0: a thousand diagonals of that box, or as far as bodies fly and fall in the "
+            "run"},
            lost_distance, not_negative());
     v.real({"adhesion_range", "", "gap, over R*, on which the pull of adhesion falls to zero"},
            adhesion_range, above_up_to(0, 1));

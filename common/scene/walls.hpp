@@ -32,7 +32,7 @@ struct Wall {
     v.text({"name", "", "name in reports; unique", true}, name);
     v.choice({"shape", "",
               "plane, with grains on the side of its normal; in a plane scene also polyline or arc, in space "
-              "mesh, with grains on either side"},
+              "mesh, with grains on either side; in a periodic box it must fit, and is there in every box"},
              shape, shapes);
     v.reals({"point", "m", "a point of the plane", of("plane")}, point, {0, 3}, any_number());
     v.reals({"normal", "", "of the plane, towards the grains; need not be a unit vector", of("plane")},

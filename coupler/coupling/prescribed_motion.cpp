@@ -2,22 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include "coupling/quadrature.hpp"
 
 namespace fpi::coupling {
-namespace {
-
-/// Points and weights of the five-point Gauss–Legendre rule on [0, 1].
-struct QuadraturePoint {
-  double place, weight;
-};
-constexpr std::array<QuadraturePoint, 5> quadrature{{{0.04691007703066800, 0.11846344252809454},
-                                                     {0.23076534494715845, 0.23931433524968324},
-                                                     {0.5, 0.28444444444444444},
-                                                     {0.76923465505284155, 0.23931433524968324},
-                                                     {0.95308992296933200, 0.11846344252809454}}};
-
-}  // namespace
 
 PrescribedMotion::PrescribedMotion(const scene::Body& body) {
   if (body.motion != "prescribed") return;
@@ -54,10 +41,10 @@ RigidMotion PrescribedMotion::advanced(const RigidMotion& motion, double t0, dou
   RigidMotion moved = with_velocities(motion, t1);
   if (formulas_.empty()) return moved;
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
-  for (const QuadraturePoint& q : quadrature) {
-    const double t = t0 + q.place * (t1 - t0), weight = q.weight * (t1 - t0);
-    moved.position += weight * velocity(t);
-    turn += weight * spin(t);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    moved.position[axis] += integral(formulas_[i], t0, t1);
+    turn[axis] = integral(formulas_[3 + i], t0, t1);
   }
   const double angle = turn.norm();
   if (angle == 0) return moved;

@@ -19,8 +19,8 @@ class PrescribedMotion {
   /// `motion` with the velocities of time t [s]; the position stays.
   RigidMotion with_velocities(RigidMotion motion, double t) const;
 
-  /// The motion at t1, from that at t0. Positions and turn come from Gauss–Legendre quadrature of order 10
-  /// on the step: round-off for formulas that change little in a step, and of the turn where its axis stays.
+  /// The motion at t1, from that at t0: position and turn by the integrals of the formulas, jumps included,
+  /// whatever the step (quadrature.hpp). The turn is exact where its axis stays.
   RigidMotion advanced(const RigidMotion& motion, double t0, double t1) const;
 
  private:

@@ -26,9 +26,9 @@ struct ContactForce {
 /// What an evaluation of the contacts met.
 struct ContactCount {
   std::uint64_t touching = 0;
-  double largest_overlap = 0;  ///< [m]
-  std::string
-      too_deep{};  ///< who overlap beyond a radius: the step was too long, or a body came from outside
+  double largest_overlap = 0;   ///< [m]
+  std::string too_deep{};       ///< "a and b" that overlap by a radius or more: what comes then is no contact
+  std::uint32_t deep_body = 0;  ///< the one that moves
 
   std::vector<ContactForce> forces{};  ///< of each, where the scene accounts for energy
 
@@ -36,7 +36,11 @@ struct ContactCount {
     forces.insert(forces.end(), other.forces.begin(), other.forces.end());
     touching += other.touching;
     largest_overlap = std::max(largest_overlap, other.largest_overlap);
-    if (!other.too_deep.empty()) too_deep = other.too_deep;
+    if (!other.too_deep.empty()) note_too_deep(other.too_deep, other.deep_body);
+  }
+  void note_too_deep(std::string names, std::uint32_t body) {
+    too_deep = std::move(names);
+    deep_body = body;
   }
 };
 
@@ -67,6 +71,16 @@ template <class Elastic>
 bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
                  Memory& memory, Forces& forces, ContactCount& count);
 
+/// Whether the centre of a body is behind a wall or has come through it in this sub-step: from there on a
+/// wall with grains on either side would push it on, away from where it came. A sub-step leads less than a
+/// radius.
+inline bool is_behind(const Model& model, const Near& here, const Velocities& velocities, double sub_step) {
+  const double distance = here.at.gap + model.bodies.radius[here.a];
+  if (distance > 0.5 * model.bodies.radius[here.a]) return false;
+  const double rate = (velocities.middle[here.a] - here.frame.velocity).dot(here.at.normal);
+  return distance + std::min(sub_step * rate, 0.0) <= 0;
+}
+
 /// Adds such a place and counts it where it touches; names(model, place) says whose surfaces they are.
 template <class Elastic, class Place>
 void add_place(const Model& model, const Near& here, const Place& place, const Velocities& velocities,
@@ -75,7 +89,8 @@ void add_place(const Model& model, const Near& here, const Place& place, const V
   const double overlap = -here.at.gap;
   ++count.touching;
   count.largest_overlap = std::max(count.largest_overlap, overlap);
-  if (overlap >= model.bodies.radius[here.a]) count.too_deep = names(model, place);
+  if (is_behind(model, here, velocities, sub_step.stretch_time))
+    count.note_too_deep(names(model, place), here.a);
 }
 
 }  // namespace fpi::dem

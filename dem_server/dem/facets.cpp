@@ -1,5 +1,7 @@
 #include "dem/facets.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -75,8 +77,12 @@ Box bounds_of(const Segment& segment) {
   return Box(segment.from).extend(segment.from + segment.length * segment.along);
 }
 Box bounds_of(const Arc& arc) {
-  const Vec3 reach = arc.radius * Vec3(1, 1, 0);
-  return {arc.centre - reach, arc.centre + reach};
+  Box box;
+  for (const double end : {-arc.half_span, arc.half_span})
+    box.extend(arc.centre + arc.radius * (Eigen::AngleAxisd(end, Vec3::UnitZ()) * arc.middle));
+  for (const Vec3& out : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)})
+    if (out.dot(arc.middle) >= std::cos(arc.half_span)) box.extend(arc.centre + arc.radius * out);
+  return box;
 }
 Box bounds_of(const Triangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
@@ -96,6 +102,10 @@ Triangle::Triangle(const Corners& c) : corners(c), normal((c[1] - c[0]).cross(c[
 
 Nearest nearest(const Facet& facet, const Vec3& x) {
   return std::visit([&](const auto& shape) { return nearest_of(shape, x); }, facet);
+}
+
+std::string text(const Vec3& place) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", place.x(), place.y(), place.z());
 }
 
 Box bounds(const Facet& facet) {

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -52,6 +53,8 @@ struct Triangle {
 using Facet = std::variant<Plane, Segment, Arc, Triangle>;
 
 Nearest nearest(const Facet& facet, const Vec3& x);
+/// "(x, y, z)" for messages.
+std::string text(const Vec3& place);
 /// Smallest box around it; all of space around a plane.
 Box bounds(const Facet& facet);
 /// Whether it lies behind the plane through its nearest point: its distance to a place that moves is at least

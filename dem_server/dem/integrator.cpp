@@ -55,12 +55,15 @@ class Integration {
       });
       films_.place(state_);
       const bool flies = std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step;
+      longest_ = model_.largest_sub_step;
+      if (std::isfinite(ahead.contact_step) || !films_.empty())
+        longest_ = std::min(longest_, within_quarter_skin());
       if (films_.empty()) {
         const bool iterates = !particles_.load.empty();
-        dt_ = sub_step_length(std::min(ahead.contact_step, model_.largest_sub_step), dt_, left_, iterates);
+        dt_ = sub_step_length(std::min(ahead.contact_step, longest_), dt_, left_, iterates);
         if (!flies || !fly(ahead, film_step)) take_sub_steps();
       } else {
-        dt_ = std::min({film_step, flies ? ahead.free_time : ahead.contact_step, model_.largest_sub_step});
+        dt_ = std::min({film_step, flies ? ahead.free_time : ahead.contact_step, longest_});
         take_sub_steps();
       }
       check_finite();
@@ -135,12 +138,15 @@ class Integration {
 
   /// From the middle of the last sub-step, or with half the `kick` from its end, to the middle of this one.
   void sub_step(double kick) {
+    search_ahead();
     move({.kick = kick, .drift = dt_, .extrapolate = 0.5 * dt_, .clear = true});
     find_forces(dt_, dt_);
     ++outcome_.sub_steps;
   }
 
   void implicit_sub_step() {
+    fastest_ = sweep({});
+    moved_ = farthest_moved(*state_.neighbours, particles_);
     search_ahead();
     TrapezoidalStep step(particles_, motions_.orientation, dt_);
     const PairMemories memories = memories_;
@@ -161,16 +167,22 @@ class Integration {
     ++outcome_.sub_steps;
   }
 
-  /// A search where neighbours might not hold until the end of the sub-step.
+  double within_quarter_skin() {
+    return least_under_loads(
+        [&] { return time_of_quarter_skin(*state_.neighbours, state_.wall_contacts, particles_); });
+  }
+
+  /// A search where neighbours might not hold until the end of the sub-step, even if the fastest became twice
+  /// as fast in it.
   void search_ahead() {
-    fastest_ = sweep({});
+    const double allowed = 0.5 * state_.neighbours->skin, way = 2 * dt_ * fastest_;
     const WallContacts& walls = state_.wall_contacts;
-    const double way = 2 * dt_ * std::max(fastest_, walls.speed);
-    const double moved = std::max(farthest_moved(*state_.neighbours, particles_), walls.moved);
-    if (moved + way > 0.5 * state_.neighbours->skin) search_neighbours();
+    if (moved_ + way > allowed) moved_ = farthest_moved(*state_.neighbours, particles_);
+    if (moved_ + way > allowed || walls.moved + 2 * dt_ * walls.speed > allowed) search_neighbours();
   }
 
   void sub_step_with_films() {
+    search_ahead();
     sweep({.kick = 0.5 * dt_});
     damp(particles_.half);
     move({.drift = dt_});
@@ -272,11 +284,20 @@ class Integration {
     contact_forces_ = std::move(count.forces);
     outcome_.contacts = count.touching;
     outcome_.largest_overlap = std::max(outcome_.largest_overlap, count.largest_overlap);
-    if (!count.too_deep.empty()) {
-      stop(fmt::format(
-          "{} overlap by more than a radius: take a shorter time step, or a larger youngs_modulus",
-          count.too_deep));
-    }
+    if (!count.too_deep.empty()) stop_too_deep(count);
+  }
+
+  void stop_too_deep(const ContactCount& count) {
+    particles_.write(motions_);
+    const std::uint32_t i = count.deep_body;
+    stop(
+        fmt::format("{} overlap by more than a radius: {} would pass through at {} m, with {:.3g} m/s. Take "
+                    "a larger {}{}, or "
+                    "find what presses it in",
+                    count.too_deep, model_.bodies.name[i], text(model_.periodic.inside(motions_.position[i])),
+                    motions_.velocity[i].norm(),
+                    model_.elasticity == Elasticity::linear ? "normal_stiffness" : "youngs_modulus",
+                    model_.stretch > 1 ? ", a smaller dem.stretch" : ""));
   }
 
   /// The contacts of walls and the attractions read and write in the scene's order, for the particles that
@@ -378,6 +399,7 @@ class Integration {
   bool forces_stand_ = false;                 ///< the forces are those of the current motions
   double left_ = 0;                           ///< [s] of the step
   double dt_ = 0;                             ///< [s] the sub-step; infinite where nothing can touch
+  double longest_ = never;                    ///< [s] that a sub-step may last, whatever touches
   double fastest_ = 0;                        ///< [m/s] that no body exceeds
   double moved_ = 0;                          ///< [m] that no body has moved farther since the last search
   Advanced outcome_;

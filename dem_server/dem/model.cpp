@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "dem/wall_images.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -73,10 +74,17 @@ void add_wall(const Problem& problem, const scene::Wall& wall, Walls& walls) {
             std::move(facets));
 }
 
+/// How far [m] the fastest body flies in the whole run where nothing stops it.
+double free_flight(const Problem& problem) {
+  double fastest = 0;
+  for (const scene::Body& body : problem.bodies) fastest = std::max(fastest, to_eigen(body.velocity).norm());
+  return problem.duration * (fastest + 0.5 * problem.duration * problem.gravity.norm());
+}
+
 /// The box around all bodies and walls at the start, of planes their points, and farther on every side by
 /// dem.lost_distance.
 Box expected_places(const Problem& problem, const Walls& walls) {
-  constexpr double farther = 1000;  // diagonals, where no distance is set
+  constexpr double farther = 1000;  // diagonals, where no distance is set and nothing flies farther by itself
   Box box;
   for (const scene::Body& body : problem.bodies) {
     const Vec3 x = to_eigen(body.position), reach = Vec3::Constant(body.radius);
@@ -87,7 +95,8 @@ Box expected_places(const Problem& problem, const Walls& walls) {
   for (const Facet& facet : walls.facets)
     if (const Box around = bounds(facet); around.sizes().allFinite()) box.extend(around);
   const double asked = problem.dem.lost_distance;
-  const Vec3 margin = Vec3::Constant(asked > 0 ? asked : farther * box.diagonal().norm());
+  const Vec3 margin = Vec3::Constant(
+      asked > 0 ? asked : std::max(farther * box.diagonal().norm(), 1.01 * free_flight(problem)));
   return {box.min() - margin, box.max() + margin};
 }
 
@@ -144,7 +153,12 @@ Model make_model(const Problem& problem) {
             body.name);
     add_body(problem, body, model.bodies);
   }
-  for (const auto& wall : problem.walls) add_wall(problem, wall, model.walls);
+  model.periodic = make_box(problem);
+  for (const auto& wall : problem.walls) {
+    add_wall(problem, wall, model.walls);
+    const Wall& added = model.walls.walls.back();
+    check_fit(model.periodic, added, std::span(model.walls.facets).subspan(added.first_facet), wall);
+  }
   model.elasticity = problem.dem.contact == "linear" ? Elasticity::linear : Elasticity::hertz;
   model.laws = LawTable(stretched(problem.materials, problem.dem.stretch), model.elasticity);
   const scene::Lubrication& lubrication = problem.dem.lubrication;
@@ -157,7 +171,6 @@ Model make_model(const Problem& problem) {
   model.implicit = problem.dem.scheme == "trapezoidal";
   model.loads_are_linear = problem.dem.loads == "linear";
   model.start_overlap = problem.dem.start_overlap;
-  model.periodic = make_box(problem);
   model.expected = expected_places(problem, model.walls);
   return model;
 }

@@ -21,6 +21,7 @@ namespace fpi::dem {
 struct Problem {
   Vec3 gravity = Vec3::Zero();  ///< [m/s²]
   double thickness = 1;         ///< of a plane scene [m]
+  double duration = 0;          ///< of the run [s], for how far bodies may fall
   double hydraulic_radius_ratio = 1;
   scene::Periodic periodic{};
   scene::Dem dem{};

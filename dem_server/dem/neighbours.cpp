@@ -24,12 +24,15 @@ double mean_radius(const Bodies& bodies) {
 
 double largest_radius(const Bodies& bodies) { return *std::ranges::max_element(bodies.radius); }
 
-/// In a periodic box no pair may be within its skin of each other in two ways.
+/// In a periodic box no pair may be within its skin of each other in two ways; where every pair is listed,
+/// none may come to touch by another way than the shortest before the next search.
 double choose_skin(const Model& model, double reach) {
-  if (lists_every_pair(model)) return std::numeric_limits<double>::infinity();
-  double skin = skin_over_radius * mean_radius(model.bodies);
+  const bool every = lists_every_pair(model);
+  double skin =
+      every ? std::numeric_limits<double>::infinity() : skin_over_radius * mean_radius(model.bodies);
   for (const double length : model.periodic.length)
-    if (length > 0) skin = std::min(skin, 0.5 * length - 2 * largest_radius(model.bodies) - reach);
+    if (length > 0)
+      skin = std::min(skin, 0.5 * length - 2 * largest_radius(model.bodies) - (every ? 0 : reach));
   return skin;
 }
 

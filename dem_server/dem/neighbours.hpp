@@ -28,9 +28,9 @@ struct Neighbours {
   std::vector<std::uint32_t> slabs;  ///< first particle of each slab, and the end: no pair reaches beyond the
                                      ///< next slab, which is the first after the last
   std::vector<Vec3> origin;          ///< [m] where each particle was
-  double skin = 0;                   ///< [m]; infinite where every pair is listed
-  double reach = 0;                  ///< [m] gap at which pairs begin to act on each other
-  std::uint64_t distances = 0;       ///< that were looked at
+  double skin = 0;              ///< [m]; infinite where every pair is listed and there is one way between
+  double reach = 0;             ///< [m] gap at which pairs begin to act on each other
+  std::uint64_t distances = 0;  ///< that were looked at
 
   double widest_gap() const { return reach + skin; }
   std::size_t size() const { return order.size(); }
@@ -40,7 +40,7 @@ struct Neighbours {
 /// Lists every pair with a free body whose gap is at most the skin beyond the reach [m].
 Neighbours search(const Model& model, const std::vector<Vec3>& position, double reach);
 
-/// True where there are so few bodies and facets of walls that every pair is listed once and for all.
+/// True where there are so few bodies and facets of walls that every pair is listed.
 bool lists_every_pair(const Model& model);
 
 /// Where two surfaces are: unit normal from a towards the other, and the gap along it [m], negative where

@@ -226,7 +226,8 @@ class PairForces {
       count.largest_overlap = std::max(count.largest_overlap, -m.gap[k]);
     if (!too_deep) return;
     const int k = std::countr_zero(too_deep);
-    count.too_deep = names(model_, {particles_.body[batch.lower[k]], particles_.body[batch.higher[k]]});
+    const Pair pair{particles_.body[batch.lower[k]], particles_.body[batch.higher[k]]};
+    count.note_too_deep(names(model_, pair), model_.bodies.is_free(pair.a) ? pair.a : pair.b);
   }
 
   const Model& model_;

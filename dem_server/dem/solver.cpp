@@ -272,9 +272,6 @@ void Solver::finish_walls(std::span<const Prescribed> walls) {
 
 void Solver::check_none_lost(double time) const {
   const Box& expected = model_.expected;
-  const auto text = [](const Vec3& x) {
-    return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z());
-  };
   for (std::size_t i = 0; i < model_.bodies.size(); ++i) {
     const Vec3 x = model_.periodic.inside(accepted_.motions.position[i]);
     if (!model_.bodies.is_free(i) || expected.contains(x)) continue;

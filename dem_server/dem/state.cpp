@@ -8,9 +8,10 @@
 namespace fpi::dem {
 namespace {
 
-constexpr std::uint64_t magic = 0x37534d4544495046;  // "FPIDEMS7"
+constexpr std::uint64_t magic = 0x38534d4544495046;  // "FPIDEMS8"
 constexpr std::size_t body_size = 13 * sizeof(double);
 constexpr std::size_t contact_size = 2 * sizeof(std::uint32_t) + 7 * sizeof(double);
+constexpr std::size_t wall_contact_size = contact_size + sizeof(Image);
 constexpr std::size_t load_size = 6 * sizeof(double);
 constexpr std::size_t works_size = sizeof(Works);
 constexpr std::size_t taken_size = all_energies.size() * sizeof(double);
@@ -27,12 +28,19 @@ class Writer : public ByteWriter {
   void put(const Quaternion& q) {
     for (const double value : {q.w(), q.x(), q.y(), q.z()}) put(value);
   }
+  void put(const Pair& pair) {
+    put(pair.a);
+    put(pair.b);
+  }
+  void put(const WallPlace& place) {
+    put(place.body);
+    put(place.facet);
+    for (const std::int64_t boxes : place.image) put(boxes);
+  }
   template <class Place>
   void put(const ContactList<Place>& list) {
     for (std::size_t p = 0; p < list.places.size(); ++p) {
-      const auto [a, b] = list.places[p];
-      put(a);
-      put(b);
+      put(list.places[p]);
       put(list.memories[p].slip);
       put(list.memories[p].roll);
       put(list.memories[p].twist);
@@ -61,6 +69,8 @@ class Reader : public ByteReader {
     for (std::size_t p = 0; p < count; ++p) {
       const auto a = get<std::uint32_t>(), b = get<std::uint32_t>();
       list.places.push_back({a, b});
+      if constexpr (std::is_same_v<Place, WallPlace>)
+        for (std::int64_t& boxes : list.places[p].image) boxes = get<std::int64_t>();
       require(a < n_first && b < n_second && (p == 0 || list.places[p - 1] < list.places[p]),
               "the DEM's state has a contact {} of {} and {} that cannot be: take another checkpoint", p, a,
               b);
@@ -107,8 +117,8 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   const std::size_t n_walls = state.wall_contacts.motions.size(), n_loads = state.loads.force.size();
   const std::size_t n_left = state.left.size();
   write.bytes.reserve(works_size + taken_size + 7 * sizeof(std::uint64_t) + n_left * sizeof(std::uint32_t) +
-                      n * body_size + n_walls * wall_size + n_loads * load_size +
-                      (n_pairs + n_touched) * contact_size);
+                      n * body_size + n_walls * wall_size + n_loads * load_size + n_pairs * contact_size +
+                      n_touched * wall_contact_size);
   write.put(magic);
   write.put(std::uint64_t{n});
   write.put(std::uint64_t{n_pairs});
@@ -153,8 +163,8 @@ State from_bytes(std::span<const std::uint8_t> bytes, const Model& model) {
   const std::uint64_t most = read.left() / contact_size;
   require(n_pairs <= most && n_touched <= most && n_left <= n &&
               read.left() == works_size + taken_size + n_left * sizeof(std::uint32_t) + n * body_size +
-                                 n_walls * wall_size + n_loads * load_size +
-                                 (n_pairs + n_touched) * contact_size,
+                                 n_walls * wall_size + n_loads * load_size + n_pairs * contact_size +
+                                 n_touched * wall_contact_size,
           "a DEM state of {} bodies and {} contacts has another length than the {} bytes that came", n,
           n_pairs + n_touched, bytes.size());
   State state;

@@ -50,6 +50,7 @@ void Outlook::consider(const Model& model, const PairLaw& law, const Normal& nor
                        double speed, const Pull& pull) {
   free_time =
       std::min(free_time, time_to_close(-normal.overlap - pull.reach, closing.speed, closing.acceleration));
+  if (4 * speed * contact_step > normal.radius) contact_step = normal.radius / (4 * speed);
   const double steps = steps_per_contact(model, law);
   Normal met = normal;
   met.rate = speed;
@@ -113,6 +114,17 @@ double time_within_skin(const Neighbours& neighbours, const WallContacts& walls,
     time = std::min(time, time_to_close(left, particles.half[i].linear.head<3>().norm(),
                                         particles.acceleration(i).norm()));
   }
+  return time;
+}
+
+double time_of_quarter_skin(const Neighbours& neighbours, const WallContacts& walls,
+                            const Particles& particles) {
+  if (std::isinf(neighbours.skin)) return never;
+  const double way = 0.25 * neighbours.skin;
+  double time = walls.speed > 0 ? way / walls.speed : never;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    time = std::min(time, time_to_close(way, particles.half[i].linear.head<3>().norm(),
+                                        particles.acceleration(i).norm()));
   return time;
 }
 

@@ -25,7 +25,8 @@ struct Outlook {
   double horizon;            ///< [s] how far ahead it looks
   double free_time = never;  ///< [s] before which nothing touches
   /// [s] t_c/steps_per_contact of the stiffest pair nearby, whether it will touch or not: what may or may not
-  /// happen in the step must not change the length of all sub-steps.
+  /// happen in the step must not change the length of all sub-steps. Nothing moves by more than R*/4 in it,
+  /// so that nothing passes through what is too soft for it unseen.
   double contact_step = never;
 
   /// Two surfaces that meet with at most `speed` [m/s].
@@ -55,6 +56,10 @@ void look_ahead_walls(const Model& model, const State& state, const Forces& load
 
 /// Time [s] for which no body or wall moves farther than half the skin from where the last search found it.
 double time_within_skin(const Neighbours& neighbours, const WallContacts& walls, const Particles& particles);
+
+/// Time [s] in which no body or wall moves farther than a quarter of the skin from where it is now.
+double time_of_quarter_skin(const Neighbours& neighbours, const WallContacts& walls,
+                            const Particles& particles);
 
 /// How far [m] a body has moved since the last search, at most.
 double farthest_moved(const Neighbours& neighbours, const Particles& particles);

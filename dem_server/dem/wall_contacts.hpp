@@ -11,6 +11,7 @@ namespace fpi::dem {
 
 struct WallPlace {
   std::uint32_t body = 0, facet = 0;
+  Image image{};  ///< of the facet that the body, where its path has led it, is near
   auto operator<=>(const WallPlace&) const = default;
 };
 
@@ -23,7 +24,8 @@ struct WallContacts : ContactList<WallPlace> {
   void drift(double duration);
 };
 
-/// Lists every free body and facet whose gap is at most `widest_gap` [m]; memories stay with their places.
+/// Lists every free body and facet, or image of it, whose gap is at most `widest_gap` [m]; memories stay with
+/// their places.
 void search_walls(const Model& model, const std::vector<Vec3>& position, double widest_gap,
                   WallContacts& contacts);
 

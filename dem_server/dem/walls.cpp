@@ -9,6 +9,7 @@ void Walls::add(Wall wall, std::vector<Facet> of) {
   wall.grid = FacetGrid(of);
   for (const Facet& facet : of) {
     const Box box = bounds(facet);
+    wall.box.extend(box);
     const Vec3 farthest = (box.min() - wall.centre).cwiseAbs().cwiseMax((box.max() - wall.centre).cwiseAbs());
     wall.extent = std::max(wall.extent, farthest.norm());
   }
@@ -33,13 +34,16 @@ Vec3 into_wall(const Wall& wall, const WallMotion& motion, const Vec3& place) {
   return motion.orientation.conjugate() * (place - motion.position) + wall.centre;
 }
 
-Nearest nearest(const Walls& walls, const WallMotions& motions, std::uint32_t facet, const Vec3& x) {
+Nearest nearest(const Walls& walls, const WallMotions& motions, std::uint32_t facet, const Vec3& x,
+                const Vec3& shift) {
   const Wall& wall = walls.with(facet);
-  if (!wall.moves) return nearest(walls.facets[facet], x);
   const WallMotion& motion = motions[walls.wall_of[facet]];
-  Nearest found = nearest(walls.facets[facet], into_wall(wall, motion, x));
-  found.place = motion.orientation * (found.place - wall.centre) + motion.position;
-  found.normal = motion.orientation * found.normal;
+  Nearest found = nearest(walls.facets[facet], into_wall(wall, motion, x - shift));
+  if (wall.moves) {
+    found.place = motion.orientation * (found.place - wall.centre) + motion.position;
+    found.normal = motion.orientation * found.normal;
+  }
+  found.place += shift;
   return found;
 }
 
@@ -53,7 +57,7 @@ void keep_own_places(const Walls& walls, const WallMotions& motions, double same
       return std::ranges::none_of(kept,
                                   [&](const NearFacet& k) { return (k.at.place - place).norm() <= same; });
     return std::none_of(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(i), [&](const NearFacet& k) {
-      return nearest(walls, motions, k.facet, place).distance <= same;
+      return nearest(walls, motions, k.facet, place, k.shift).distance <= same;
     });
   };
   std::vector<NearFacet> kept;

@@ -15,6 +15,7 @@ struct Wall {
   bool moves = false;
   Vec3 centre = Vec3::Zero();     ///< point that it turns about, as the facets are given [m]
   double extent = 0;              ///< of the facets from the centre [m]; infinite of a plane
+  Box box{};                      ///< around the facets
   std::uint32_t first_facet = 0;  ///< its first among those of all walls
   FacetGrid grid{};               ///< of its facets
 };
@@ -51,13 +52,16 @@ WallMotions at_start(const Walls& walls);
 /// A place as the wall saw it at the start, before it moved.
 Vec3 into_wall(const Wall& wall, const WallMotion& motion, const Vec3& place);
 
-/// The point of a facet that is nearest to x, where the walls are now.
-Nearest nearest(const Walls& walls, const WallMotions& motions, std::uint32_t facet, const Vec3& x);
+/// The point of a facet that is nearest to x, where the walls are now, or of an image of it that is `shift`
+/// [m] from there.
+Nearest nearest(const Walls& walls, const WallMotions& motions, std::uint32_t facet, const Vec3& x,
+                const Vec3& shift = Vec3::Zero());
 
 /// A facet near a grain.
 struct NearFacet {
   std::uint32_t facet = 0;
   Nearest at{};
+  Vec3 shift = Vec3::Zero();  ///< of the facet's image that is near [m]
 };
 
 /// Of the facets near one grain, leaves those that it can touch by themselves, the nearest first: the local

@@ -13,7 +13,7 @@ import time
 import unittest
 from pathlib import Path
 
-from harness import BIN, DRUM_SCENE, EXIT_SCENE, SETTLING_SCENE, CoupledRun, arrays_of, channel_scene, interrupt, run_coupler, toy_scene
+from harness import BIN, DRUM_SCENE, EXIT_SCENE, SETTLING_SCENE, SOFT_SCENE, CoupledRun, arrays_of, channel_scene, interrupt, run_coupler, toy_scene
 
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
 KEYS = {"status", "reason", "steps", "steps_before", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
@@ -412,6 +412,20 @@ class Coupled(unittest.TestCase):
         with CoupledRun(self.folder, EXIT_SCENE.split("[[outlets]]")[0]) as run:
             self.assertEqual(run.wait(), 1)
         self.assertRegex(run.summary["reason"], r'body "disc.1" must stay in the mesh, or leave through one of \[\[outlets')
+
+    def test_a_disc_that_sinks_through_a_closed_side_of_the_fluid_is_named_with_the_walls_to_add(self):
+        scene = SETTLING_SCENE.replace("1250.0", "8000.0").replace("0.015]", "0.002]").replace("0.024", "1.0")
+        with CoupledRun(self.folder, scene) as run:
+            self.assertEqual(run.wait(), 1)
+        self.assertRegex(run.summary["reason"], r'body "disc" reaches out of the mesh at \(0.00\d+, -\S+\) m: stop it with '
+                                                r'one of \[\[walls')
+
+    def test_a_soft_floor_is_told_before_the_run_and_ends_it_by_name_when_a_disc_comes_through(self):
+        with CoupledRun(self.folder, SOFT_SCENE) as run:
+            self.assertEqual(run.wait(), 1)
+        self.assertIn("disc sinks by 0.23 of its radius into wall floor under its own weight", run.log())
+        self.assertRegex(run.summary["reason"], r"disc and floor overlap by more than a radius: disc would pass through at "
+                                                r"\(0, -?\S+, 0\) m, with 4\S* m/s. Take a larger youngs_modulus")
 
     def test_grains_in_a_drum_that_turns_resume_to_the_same_bits(self):
         with CoupledRun(self.folder, DRUM_SCENE) as run:

@@ -107,6 +107,27 @@ velocity = ["0.2*cos(20*t)", 0.1]
 """
 
 
+SOFT_SCENE = """
+title = "a disc falls on a floor that is too soft for it"
+gravity = [0, -9.81]
+[time]
+step = 1e-3
+end = 0.8
+[[bodies]]
+name = "disc"
+radius = 0.01
+density = 2500
+position = [0, 1.01]
+[[materials]]
+name = "jelly"
+youngs_modulus = 1e6
+[[walls]]
+name = "floor"
+shape = "polyline"
+vertices = [-1, 0, 1, 0]
+"""
+
+
 EXIT_SCENE = """
 title = "two discs, one behind the other, are carried out of a channel"
 [time]

@@ -181,6 +181,40 @@ TEST(PrescribedMotion, a_wall_turns_about_its_axis_in_space_by_the_integral_of_i
       1e-7);
 }
 
+/// Where a disc of this velocity along x is after 1 s in `n` steps, less what the integral is.
+double error_after_a_second(const std::string& velocity, double integral, int n) {
+  scene::Body body = disc("prescribed");
+  body.prescribed_velocity = {velocity, "0"};
+  const PrescribedMotion motion(body);
+  RigidMotion now = initial_motion(body);
+  for (int k = 0; k < n; ++k) now = motion.advanced(now, double(k) / n, double(k + 1) / n);
+  return now.position.x() - 1 - integral;
+}
+
+TEST(PrescribedMotion, jumps_and_bends_of_the_formulas_are_integrated_whatever_the_step) {
+  for (const int n : {1, 3, 10, 77}) {
+    EXPECT_NEAR(error_after_a_second("t < 0.35 ? 1 : 0", 0.35, n), 0, 1e-12) << n;
+    EXPECT_NEAR(error_after_a_second("t >= 0.501 && t < .502 ? 1e3 : 0", 1, n), 0, 1e-9)
+        << n << ": a short pulse";
+    EXPECT_NEAR(error_after_a_second("t < sqrt(1/7) ? -2 : 1", 1 - 3 * std::sqrt(1. / 7), n), 0, 1e-9) << n;
+    EXPECT_NEAR(error_after_a_second(
+                    "abs(t - pi/7)",
+                    0.5 * (std::pow(std::numbers::pi / 7, 2) + std::pow(1 - std::numbers::pi / 7, 2)), n),
+                0, 1e-9)
+        << n;
+    EXPECT_NEAR(error_after_a_second("rint(t*10) == 7 ? 1 : 0", 0.1, n), 0, 1e-9) << n;
+    EXPECT_NEAR(error_after_a_second("sin(200*t)", (1 - std::cos(200.)) / 200, n), 0, 1e-9) << n << ": waves";
+  }
+}
+
+TEST(PrescribedMotion, a_spin_of_a_wall_that_stops_turns_it_as_far_as_it_lasted) {
+  scene::Wall wall;
+  wall.centre = {0, 0};
+  wall.spin = {"t < 0.123 ? 2 : 0"};
+  const RigidMotion moved = PrescribedMotion(wall).advanced({}, 0, 1);
+  EXPECT_NEAR(Eigen::AngleAxisd(moved.orientation).angle(), 0.246, 1e-12);
+}
+
 TEST(PrescribedMotion, a_step_of_no_size_only_takes_the_velocities) {
   scene::Body body = disc("prescribed");
   body.prescribed_velocity = {"0", "0"};

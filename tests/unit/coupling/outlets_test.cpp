@@ -153,5 +153,41 @@ TEST(Outlets, a_disc_leaves_as_a_whole_a_held_one_never) {
   EXPECT_FALSE(leaves_at(0.5, 1)) << "it left before";
 }
 
+/// Whether a disc of radius 0.5 that moves straight from one place to another leaves, and through which.
+int outlet_between(const scene::Scene& scene, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  CoupledState state;
+  state.motions.resize(1);
+  state.left.resize(1);
+  std::vector<coupling::RigidMotion> before(1);
+  before[0].position = from;
+  state.motions[0].position = to;
+  const auto found = departures(scene, state, before);
+  return found.empty() ? -1 : static_cast<int>(found[0].outlet);
+}
+
+TEST(Outlets, a_disc_leaves_that_is_in_the_outlet_at_any_moment_of_a_step) {
+  scene::Scene scene = make_scene({disc("free", "free")});
+  scene.outlets = {{.name = "far", .lower = {9, -1}, .upper = {10.5, 1}},
+                   {.name = "near", .lower = {3, -1}, .upper = {4.5, 1}}};
+  EXPECT_EQ(outlet_between(scene, {0, 0, 0}, {7, 0, 0}), 1) << "it jumps over it";
+  EXPECT_EQ(outlet_between(scene, {20, 0, 0}, {-5, 0, 0}), 0) << "the first that it meets";
+  EXPECT_EQ(outlet_between(scene, {0, 0, 0}, {20, 0, 0}), 1);
+  EXPECT_EQ(outlet_between(scene, {0, 0.6, 0}, {7, 0.6, 0}), -1) << "a bit of it stays outside all along";
+  EXPECT_EQ(outlet_between(scene, {2, 5, 0}, {7, -5, 0}), -1) << "never wholly inside";
+  EXPECT_EQ(outlet_between(scene, {0, 0, 0}, {3.4, 0, 0}), -1);
+}
+
+TEST(Outlets, a_disc_leaves_wherever_the_planes_of_the_periodic_box_are) {
+  scene::Scene scene = make_scene({disc("free", "free")});
+  scene.periodic.x = {0, 10};
+  scene.outlets = {{.name = "across", .lower = {-1, 0}, .upper = {2, 9}}};
+  EXPECT_EQ(outlet_between(scene, {9.8, 5, 0}, {9.8, 5, 0}), 0);
+  EXPECT_EQ(outlet_between(scene, {5, 5, 0}, {48, 5, 0}), 0);
+  EXPECT_EQ(outlet_between(scene, {5, 5, 0}, {5, 5, 0}), -1);
+  scene.outlets[0] = {.name = "all", .lower = {0, 0}, .upper = {10, 9}};
+  EXPECT_EQ(outlet_between(scene, {9.9, 5, 0}, {9.9, 5, 0}), 0) << "it has no ends along x";
+  EXPECT_TRUE(is_at_outlet(scene, scene.bodies[0], {9.9, 9.4, 0}));
+}
+
 }  // namespace
 }  // namespace fpi

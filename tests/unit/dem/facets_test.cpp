@@ -57,6 +57,19 @@ TEST(Facets, an_arc_has_an_inside_an_outside_and_two_ends) {
   EXPECT_DOUBLE_EQ(nearest(arc, {1, 0, 0}).distance, 2);  // at the centre any point is the nearest
 }
 
+TEST(Facets, an_arc_has_the_smallest_box_around_it) {
+  const auto box = [](double start, double end) {
+    Box all;
+    for (const Facet& facet : arc({1, 2, 0}, 2, start, end)) all.extend(bounds(facet));
+    return all;
+  };
+  EXPECT_TRUE(box(0, pi / 2).isApprox(Box(Vec3(1, 2, 0), Vec3(3, 4, 0)), 1e-14));
+  EXPECT_TRUE(
+      box(-pi / 4, pi / 4)
+          .isApprox(Box(Vec3(1 + std::sqrt(2), 2 - std::sqrt(2), 0), Vec3(3, 2 + std::sqrt(2), 0)), 1e-14));
+  EXPECT_TRUE(box(0.3, 0.3 + 2 * pi).isApprox(Box(Vec3(-1, 0, 0), Vec3(3, 4, 0)), 1e-14));
+}
+
 TEST(Facets, no_point_of_a_facet_is_nearer_than_the_nearest) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> somewhere(-2, 2);

@@ -259,6 +259,23 @@ TEST(Solver, a_body_is_not_lost_within_a_thousand_diagonals_of_the_scene) {
   EXPECT_NE(complaint([&] { solver.check_none_lost(52); }).find("ball is lost"), std::string::npos);
 }
 
+TEST(Solver, what_falls_freely_for_the_whole_run_is_not_lost) {
+  Problem problem;
+  problem.gravity = {0, 0, -9.81};
+  problem.bodies = {body("grain", "sphere", 5e-4, 2500, {0, 0, 0}, {0, 0, -3})};
+  problem.bodies[0].spin = {0, 0, 0};
+  problem.duration = 1;
+  Solver solver(problem);
+  for (int k = 0; k < 100; ++k) {
+    step(solver, 1e-2);
+    ASSERT_EQ(complaint([&] { solver.check_none_lost(0.01 * k); }), "");
+  }
+  EXPECT_NEAR(solver.motions().position[0].z(), -3 - 0.5 * 9.81, 1e-12);
+  step(solver, 2);
+  EXPECT_NE(complaint([&] { solver.check_none_lost(3); }).find("grain is lost"), std::string::npos)
+      << "farther than it could fall";
+}
+
 TEST(Solver, refuses_steps_that_cannot_be_taken) {
   Solver solver(box_of_discs());
   const auto asked = [&](double time_step, Load load) {
