@@ -3,14 +3,13 @@
 #include <csignal>
 #include <cstdio>
 
+#include "check.hpp"
 #include "command_line.hpp"
 #include "core/error.hpp"
-#include "grains/expand.hpp"
 #include "json.hpp"
 #include "plan.hpp"
 #include "proto/host.hpp"
 #include "proto/keys.hpp"
-#include "run_folder.hpp"
 #include "scene/scene.hpp"
 
 namespace fpi {
@@ -24,22 +23,12 @@ void listen_to_signals() {
   std::signal(SIGPIPE, SIG_IGN);  // a launcher that is gone must not take the results with it
 }
 
-int check_scene(const SessionOptions& options) {
-  StagedScene staged = read_staged(options.scene, options.overrides, options.stages);
-  const Files files = read_files(staged, options.scene);
-  scene::Scene& scene = staged.scene;
-  grains::expand(scene, [&files](const std::string& name) { return proto::content(files, name); });
-  std::printf("%s: ok, \"%s\"\n", options.scene.c_str(), scene.title.c_str());
-  for (const std::string& line : grains::describe(scene)) std::printf("  %s\n", line.c_str());
-  return 0;
-}
-
 int carry_out(const CommandLine& line) {
   switch (line.task) {
     case Task::run:
       return run_session(line.session);
     case Task::check:
-      return check_scene(line.session);
+      return check_scene(line.session, line.json);
     case Task::plan:
       std::puts(
           to_json(make_plan(read_staged(line.session.scene, line.session.overrides, line.session.stages)))

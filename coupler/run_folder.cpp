@@ -45,17 +45,26 @@ fs::path place_of(const std::string& name, const std::string& scene_file, const 
 }  // namespace
 
 Files read_files(StagedScene& staged, const std::string& scene_file) {
+  Findings findings;
+  Files files = read_files(staged, scene_file, findings);
+  findings.raise();
+  return files;
+}
+
+Files read_files(StagedScene& staged, const std::string& scene_file, Findings& findings) {
   Files files;
   std::map<std::string, fs::path> paths;
-  for (std::string* name : scene::file_names(staged.scene)) {
-    const fs::path path = place_of(*name, scene_file, staged.stages);
-    *name = fs::path(*name).filename();
-    const auto [known, is_new] = paths.emplace(*name, path);
+  const auto read = [&](std::string& name) {
+    const fs::path path = place_of(name, scene_file, staged.stages);
+    name = fs::path(name).filename();
+    const auto [known, is_new] = paths.emplace(name, path);
     require(known->second == path,
             "files with different names are required; {} names both {} and {}: rename one", scene_file,
             known->second.string(), path.string());
-    if (is_new) files.push_back({*name, read_bytes(path, scene_file)});
-  }
+    if (is_new) files.push_back({name, read_bytes(path, scene_file)});
+  };
+  for (const auto& [key, name] : scene::file_keys(staged.scene))
+    findings.attempt(key, [&read, &name = *name] { read(name); });
   return files;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/findings.hpp"
 #include "scene/scene.hpp"
 #include "simulation.hpp"
 #include "stages.hpp"
@@ -15,6 +16,9 @@ namespace fpi {
 /// From here on the scene names them without their folder. Throws Error where one cannot be read, or where
 /// two would have one name.
 Files read_files(StagedScene& staged, const std::string& scene_file);
+
+/// The same; each that cannot be read, or has another's name, is an error of the scene.
+Files read_files(StagedScene& staged, const std::string& scene_file, Findings& findings);
 
 /// Makes the folder where it is missing. Throws Error where that is not possible.
 void make_folder(const std::string& folder);

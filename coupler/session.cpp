@@ -3,30 +3,34 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <random>
-#include <set>
 
+#include "admission.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/version.hpp"
+#include "doubts.hpp"
 #include "end_state.hpp"
 #include "grains/expand.hpp"
 #include "json.hpp"
 #include "output/replace.hpp"
+#include "places.hpp"
 #include "plan.hpp"
 #include "proto/host.hpp"
-#include "remote.hpp"
+#include "resolution.hpp"
 #include "run.hpp"
 #include "run_folder.hpp"
+#include "scene/reading.hpp"
 
 namespace fpi {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double largest_leak = 0.01;  ///< through the surfaces of bodies, of the flow
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -90,12 +94,18 @@ class Session {
  private:
   void prepare() {
     const std::string file = options_.resume ? options_.folder + "/scene.toml" : options_.scene;
-    StagedScene staged = read_staged(file, options_.overrides, options_.stages);
+    reading_ = scene::read_all(file, options_.overrides);
+    reading_.findings.raise();
+    StagedScene staged = with_stages(reading_.scene, file, options_.stages);
     plan_ = make_plan(staged);
     summary_.origin = {version, plan_.scene_fingerprint};
-    files_ = read_files(staged, file);
+    Findings findings;
+    files_ = read_files(staged, file, findings);
     scene_ = std::move(staged.scene);
-    grains::expand(scene_, [this](const std::string& name) { return proto::content(files_, name); });
+    if (!findings.has_errors())
+      findings =
+          grains::place(scene_, [this](const std::string& name) { return proto::content(files_, name); });
+    take(std::move(findings));
     if (!options_.resume) return;
     require(!completed_run(options_.folder), "nothing to resume: the run reached its end");
     checkpoint_ = read_checkpoint(options_.folder, plan_.scene_fingerprint);
@@ -120,52 +130,28 @@ class Session {
     write_summary();
     log::info("{}: {}", options_.resume ? "resuming" : "starting", scene_.title);
     for (const std::string& line : grains::describe(scene_)) log::info("{}", line);
-    warn_of_stretch();
-  }
-
-  /// Softer contacts are an error that the scene asks for.
-  void warn_of_stretch() const {
-    if (!scene_.dem || scene_.dem->stretch == 1) return;
-    const double k = scene_.dem->stretch;
-    log::warning(
-        "dem.stretch = {0:g}: contacts last {0:g} times as long as the materials say; impacts overlap {0:g} "
-        "times as "
-        "far, grains at rest {1:.3g} times",
-        k, std::pow(k, scene_.dem->contact == "linear" ? 2 : 5.0 / 3));
+    take(doubts(scene_));
   }
 
   void admit() {
     say("address " + host_->address());
-    std::vector<std::string> roles;
-    std::vector<bool> external;
-    for (const PlannedParticipant& participant : plan_.participants) {
-      roles.push_back(participant.role);
-      external.push_back(participant.external);
-      summary_.figures[participant.role];
-    }
-    for (const proto::Hello& hello : host_->admit(roles, external)) {
-      check_hello(hello);
-      offered_.insert(hello.capabilities.begin(), hello.capabilities.end());
-    }
-    if (scene_.needs_fluid()) fluid_.emplace(*host_, "fluid", number_, ledger_);
-    if (scene_.needs_dem()) dem_.emplace(*host_, "dem", number_, ledger_);
-    const Participants participants{.fluid = fluid_ ? &*fluid_ : nullptr,
-                                    .dem = dem_ ? &*dem_ : nullptr,
-                                    .fluid_moves_bodies = offered_.contains("balance"),
-                                    .dem_takes_added_inertia = offered_.contains("added_inertia"),
-                                    .dem_takes_resistance = offered_.contains("resistance")};
-    run_ = std::make_unique<Run>(scene_, participants, options_.folder, number_, ledger_);
+    for (const PlannedParticipant& participant : plan_.participants) summary_.figures[participant.role];
+    admission_ =
+        std::make_unique<Admission>(*host_, plan_.participants, scene_, options_.resume, number_, ledger_);
+    run_ = std::make_unique<Run>(scene_, admission_->participants(), options_.folder, number_, ledger_);
     run_->on_progress = ProgressPrinter();
+    run_->on_findings = [this](Findings findings) { take(std::move(findings)); };
   }
 
-  void check_hello(const proto::Hello& hello) const {
-    log::info("{}: {} {}", hello.role, hello.program, hello.program_version);
-    const bool can_save = std::ranges::find(hello.capabilities, "checkpoint") != hello.capabilities.end();
-    require(can_save || (scene_.output.checkpoint_every == 0 && !options_.resume),
-            "a checkpoint needs every participant to offer it; {} ({}) does not: set output.checkpoint_every "
-            "= 0 or "
-            "use another program",
-            hello.program, hello.role);
+  /// Throws Error with all errors, each with its place in the scene's file; warns of the rest.
+  void take(Findings findings) {
+    Places(reading_, scene_).fill(findings);
+    findings.raise();
+    for (const std::string& line : to_lines(findings.all())) warn(line);
+  }
+  void warn(const std::string& line) {
+    log::warning("{}", line);
+    summary_.warnings.push_back(line);
   }
 
   void march() {
@@ -176,6 +162,8 @@ class Session {
     } else {
       run_->start(files_);
     }
+    summary_.resolution = resolution(scene_, run_->simulation());
+    for (const std::string& line : describe(summary_.resolution)) log::info("{}", line);
     run_->march();
   }
 
@@ -206,6 +194,7 @@ class Session {
   }
 
   void collect_results() {
+    warn_of_leak();
     summary_.statistics = run_->statistics();
     if (const auto worst = summary_.statistics.worst())
       summary_.worst_body = run_->simulation().body_of(worst->unknown);
@@ -234,6 +223,18 @@ class Session {
     write_extrema(summary_.signals, options_.folder);
   }
 
+  void warn_of_leak() {
+    const double share = leak_share(summary_);
+    if (share <= largest_leak) return;
+    // The table at the end of a run says it too, with the figure of every run.
+    const std::string line = fmt::format(
+        "{:.2g} % of the flow goes through the surfaces of bodies: smaller elements let less through, or a "
+        "smaller fluid.embedding.arc_ratio, not below 0.9",
+        100 * share);
+    log::info("{}", line);
+    summary_.warnings.push_back(line);
+  }
+
   void write_summary() {
     summary_.wall_total = seconds_since(start_);
     summary_.wall_output = ledger_.seconds["output"];
@@ -251,6 +252,7 @@ class Session {
   const SessionOptions& options_;
   const Clock::time_point start_ = Clock::now();
   Ledger ledger_;
+  scene::Reading reading_;
   scene::Scene scene_;
   Plan plan_;
   const std::uint64_t number_ = random_run_number();
@@ -258,9 +260,7 @@ class Session {
   bool began_ = false;
   Files files_;
   std::unique_ptr<proto::Host> host_;
-  std::set<std::string> offered_;  ///< capabilities of all participants
-  std::optional<RemoteFluid> fluid_;
-  std::optional<RemoteDem> dem_;
+  std::unique_ptr<Admission> admission_;
   std::unique_ptr<Run> run_;
   Summary summary_;
 };

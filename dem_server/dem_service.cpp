@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "core/error.hpp"
 #include "grains/expand.hpp"
@@ -16,10 +18,13 @@ namespace {
 Vec3 to_eigen(const proto::Vec3& v) { return {v[0], v[1], v[2]}; }
 proto::Vec3 to_wire(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-Problem make_problem(const scene::Scene& scene, const std::vector<proto::File>& files) {
+Problem make_problem(const scene::Scene& scene, const std::vector<proto::File>& files, Findings& findings) {
   std::map<std::string, std::vector<Corners>> meshes;
-  for (const scene::Wall& wall : scene.walls) {
-    if (wall.shape == "mesh") meshes[wall.file] = read_stl(proto::content(files, wall.file), wall.file);
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+    const scene::Wall& wall = scene.walls[i];
+    if (wall.shape != "mesh") continue;
+    findings.attempt(fmt::format("walls.{}.file", i),
+                     [&] { meshes[wall.file] = read_stl(proto::content(files, wall.file), wall.file); });
   }
   return {.gravity = to_eigen(scene::to_vec3(scene.gravity)),
           .thickness = scene.thickness,
@@ -63,6 +68,28 @@ std::vector<proto::Motion> write_motions(const Motions& motions) {
   return messages;
 }
 
+/// Duration [s] of the shortest impact that is to be expected: two of the smallest free bodies that meet as
+/// fast as the fastest starts, or after a fall through the diameter of the largest. Nothing where none can.
+std::optional<double> shortest_contact(const Model& model, const Motions& start) {
+  double mass = 0, radius = 0, largest = 0, speed = 0;
+  std::size_t material = 0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    speed = std::max(speed, start.velocity[i].norm());
+    if (!model.bodies.is_free(i)) continue;
+    largest = std::max(largest, model.bodies.radius[i]);
+    if (mass > 0 && model.bodies.mass[i] >= mass) continue;
+    mass = model.bodies.mass[i];
+    radius = model.bodies.radius[i];
+    material = model.bodies.material[i];
+  }
+  speed = std::max(speed, std::sqrt(4 * model.gravity.norm() * largest));
+  const bool can_touch = model.bodies.size() > 1 || !model.walls.walls.empty();
+  if (!can_touch || !(mass > 0) || !(speed > 0) || model.laws.n_materials() == 0) return std::nullopt;
+  const PairLaw& law = model.laws(material, material);
+  const double time = contact_time(model.elasticity, law, {0.5 * mass, 0.5 * radius, 0, speed});
+  return std::isfinite(time) && time > 0 ? std::optional(time) : std::nullopt;
+}
+
 /// What is left out in this scene, and why.
 std::vector<std::string> notes(const Model& model) {
   std::vector<std::string> notes;
@@ -81,10 +108,18 @@ proto::Configured DemService::configure(const proto::Configure& message) {
   progress.set("configure");
   scene::Scene scene = scene::read_text(message.scene, "the scene sent by the coupler");
   grains::expand(scene, [&](const std::string& name) { return proto::content(message.files, name); });
-  solver_.emplace(make_problem(scene, message.files));
+  Findings findings;
+  const Problem problem = make_problem(scene, message.files, findings);
+  if (!findings.has_errors()) findings.attempt("", [&] { solver_.emplace(problem); });
+  if (!solver_) return {.findings = findings.all()};
   if (!message.state.empty()) solver_->resume(message.state);
   const Model& model = solver_->model();
-  return {.notes = notes(model), .figures = {{"bodies", static_cast<double>(model.bodies.size())}}};
+  proto::Configured out{.notes = notes(model),
+                        .figures = {{"bodies", static_cast<double>(model.bodies.size())}},
+                        .findings = findings.all()};
+  if (const auto time = shortest_contact(model, solver_->motions()))
+    out.figures.emplace_back("resolution:contact_time", *time);
+  return out;
 }
 
 proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdvance& message) {

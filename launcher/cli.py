@@ -51,7 +51,8 @@ def parser() -> argparse.ArgumentParser:
     sweeping.add_argument("axes", nargs="+", metavar="KEY=A,B,C", help="a key of the scene and its values, e.g. fluid.pressure_drop=[1,0],[2,0]")
     sweeping.add_argument("--out", type=Path, metavar="DIR", help="folder of the sweep, new or that of the same sweep (default runs/SCENE-sweep)")
     script_options(sweeping)
-    word("check", do_check, "read and check a scene without running it", scene=True)
+    checking = word("check", do_check, "say all that a run of a scene would refuse, without running it", scene=True)
+    checking.add_argument("--json", action="store_true", help="print findings and figures as JSON, and nothing else")
     resuming = word("resume", do_resume, "continue a run from its last checkpoint")
     resuming.add_argument("run", type=Path, metavar="RUN", help="the run folder")
     script_options(resuming)
@@ -226,9 +227,16 @@ def report_end(folder: Path, summary: dict, arguments) -> None:
 
 
 def do_check(arguments) -> int:
-    ensure_programs(quiet=False)
-    print(run.check(scenes.find(arguments.scene), arguments.overrides))
-    return 0
+    ensure_programs(quiet=arguments.json)
+    report = run.check(scenes.find(arguments.scene), arguments.overrides)
+    reports = [report] + [run.check(Path(stage["scene"]), []) for stage in report["stages"] if not stage["ready"]]
+    if arguments.json:
+        for one in reports:
+            del one["text"]
+        print(json.dumps({**report, "checked_stages": reports[1:]}, indent=2))
+    else:
+        print("\n".join(line for one in reports for line in one["text"]))
+    return int(any(one["status"] != "ok" for one in reports))
 
 
 def do_plot(arguments) -> int:

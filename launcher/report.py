@@ -64,6 +64,8 @@ def rows(summary: dict) -> list[tuple[str, str]]:
     iterations = summary["sub_iterations"]
     lines = [("status", summary["status"] + (f": {summary['reason']}" if summary["reason"] else "")),
              ("steps", f"{summary['steps']}")]
+    if not summary["steps"]:
+        return lines + costs(summary)  # where the bodies start is no result
     if iterations["max"]:
         lines.append(("sub-iterations", f"mean {iterations['mean']:.3g}, most {iterations['max']}"))
     lines += coupling(summary.get("coupling", {}))

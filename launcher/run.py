@@ -8,6 +8,7 @@ import selectors
 import shlex
 import signal
 import subprocess
+import tempfile
 import time
 from pathlib import Path
 
@@ -37,11 +38,6 @@ def plan(scene: Path, overrides: list[str]) -> dict:
         return json.loads(text)
     except json.JSONDecodeError as error:
         raise Refusal(f"`coupler --plan` must print JSON; got {text[:200]!r} ({error})") from error
-
-
-def check(scene: Path, overrides: list[str]) -> str:
-    """The coupler's word that a scene and its mesh file are in order."""
-    return ask("--check", scene, overrides).strip()
 
 
 def ask(question: str, scene: Path, overrides: list[str]) -> str:
@@ -210,6 +206,43 @@ class Run:
         for child in [self.coupler] if first else [self.coupler, *self.participants]:
             if child is not None and child.status is None:
                 child.signal(signal.Signals(number) if first else signal.SIGKILL)
+
+
+class Check(Run):
+    """A run's set-up without a step: what of the scene would refuse it, and what is doubtful."""
+
+    def __init__(self, scene: Path, folder: Path, overrides: list[str]):
+        super().__init__(Request(scene, folder, overrides), {"participants": []}, Display())
+        self.report: dict | None = None
+        self.words: list[str] = []
+        self.display.warn = self.words.append
+
+    def coupler_command(self) -> list[str]:
+        return [str(program("coupler")), "--check", str(self.request.scene), "--json", "--watch-stdin",
+                *set_options(self.request.overrides)]
+
+    def hear(self, line: str) -> None:
+        """What the coupler wants started, and in the end its report."""
+        word, _, rest = line.partition(" ")
+        if word == "plan":
+            self.plan = json.loads(rest)
+        elif word == "address":
+            self.start_participants(rest.strip())
+        elif word == "report":
+            self.report = json.loads(rest)
+
+
+def check(scene: Path, overrides: list[str]) -> dict:
+    """The coupler's report on a scene. Refuses where the check did not come to its end; leaves nothing behind."""
+    with tempfile.TemporaryDirectory(prefix="fpi-check-") as folder:
+        the_check = Check(scene, Path(folder), overrides)
+        status = the_check.execute()
+    if status == 130:
+        raise KeyboardInterrupt
+    if the_check.report is None:
+        words = "\n".join(the_check.words).removeprefix("coupler: ")
+        raise Refusal(words or the_check.sudden_end() or f"the check of {scene} ended with status {status} and without a report")
+    return the_check.report
 
 
 class Lines:

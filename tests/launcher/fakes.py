@@ -21,8 +21,11 @@ if "--plan" in words:
     print(json.dumps({"title": "a fake", "scene_fingerprint": 7, "participants": json.loads(scene), "stages": stages}))
     sys.exit(0)
 if "--check" in words:
-    print(words[words.index("--check") + 1] + ": ok")
-    sys.exit(0)
+    scene = words[words.index("--check") + 1]
+    refused = "broken" in open(scene).read()
+    print("report " + json.dumps({"status": "refused" if refused else "ok", "stages": [], "findings": [],
+                                  "text": [scene + (": 1 errors" if refused else ": ok")]}))
+    sys.exit(int(refused))
 out = words[words.index("--out") + 1]
 def note(status, reason):
     summary = {"status": "failed" if status else "completed", "reason": reason, "steps": 3, "unknowns": None,

@@ -1,6 +1,7 @@
 """The words of `./fpi`, set-up and build, without running a scene."""
 
 import io
+import json
 import os
 import re
 import subprocess
@@ -34,6 +35,12 @@ class Words(FakeTest):
 
     def test_check_gives_the_word_of_the_coupler(self):
         self.assertEqual(self.fpi("check", "drop.toml"), (0, "drop.toml: ok\n", ""))
+
+    def test_check_of_a_scene_that_would_be_refused_has_status_1_and_the_findings_on_standard_output(self):
+        Path("broken.toml").write_text("broken")
+        self.assertEqual(self.fpi("check", "broken.toml"), (1, "broken.toml: 1 errors\n", ""))
+        status, out, err = self.fpi("check", "broken.toml", "--json")
+        self.assertEqual((status, json.loads(out)["status"], err), (1, "refused", ""))
 
     def test_list_has_every_scene_with_its_title(self):
         status, out, _ = self.fpi("list")
