@@ -92,7 +92,7 @@ void Solvers::find_unresolved(Findings& findings) const {
     const double spans = elements_per_diameter(scene_, i, arc_lengths_[i]);
     if (spans >= fewest) continue;
     findings.warn(
-        fmt::format("bodies.{}.radius", i),
+        fmt::format(scene_.bodies[i].shape == "polygon" ? "bodies.{}.vertices" : "bodies.{}.radius", i),
         "the diameter of the body \"{}\" spans {:.3g} elements, below {:g}: its drag is off by some "
         "per cent; {}",
         scene_.bodies[i].name, spans, fewest,
@@ -309,8 +309,8 @@ std::vector<proto::ArcLength> Solvers::wanted_lengths(const CoupledState& state)
     const Eigen::Vector3d& at = state.motions[i].position;
     require(length > 0 || is_at_outlet(scene_, scene_.bodies[i], at),
             "body \"{}\" must stay in the mesh, or leave through one of [[outlets]]; at ({:g}, {:g}) m it "
-            "meets no element: add one of [[walls]] that stops it (the fluid's own boundaries do not stop "
-            "bodies), add an outlet there, make the mesh larger, or end the run earlier",
+            "meets no element: stop it with one of [[walls]], add an outlet there, make the mesh larger, or "
+            "end the run earlier",
             scene_.bodies[i].name, at.x(), at.y());
     if (length > 0) lengths.push_back({.body = i, .length = length});
   }

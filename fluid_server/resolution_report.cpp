@@ -11,13 +11,13 @@ namespace {
 
 // What docs/numerics.md ("What resolution supports") measures.
 constexpr double largest_cell_reynolds = 100;
-constexpr double largest_courant = 4;
+constexpr double largest_courant = 5;
 constexpr double creeping_body = 0.5, creeping_channel = 10;  ///< Reynolds numbers
 
 /// Fits of peak memory over unknowns, see docs/numerics.md [B].
 double expected_memory(double unknowns) {
-  constexpr double base = 4e7, per_unknown = 250, per_fill = 190;
-  return base + unknowns * (per_unknown + per_fill * std::log2(std::max(unknowns, 2.0)));
+  constexpr double base = 2.6e7, per_unknown = -130, per_fill = 228;
+  return base + unknowns * (per_unknown + per_fill * std::log2(std::max(unknowns, 4.0)));
 }
 
 double diameter(const Outline& outline) { return std::sqrt(4 * outline.area() / M_PI); }
