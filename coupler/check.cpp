@@ -155,7 +155,9 @@ class Check {
 }  // namespace
 
 std::vector<std::string> to_text(const CheckReport& report) {
-  std::vector<std::string> lines = to_lines(report.findings.all());
+  std::vector<Finding> findings = report.findings.all();
+  for (Finding& finding : findings) finding.text.insert(0, finding.is_error ? "" : "warning: ");
+  std::vector<std::string> lines = to_lines(findings);
   const auto say = [&lines](std::string line) { lines.push_back(std::move(line)); };
   const auto n_errors = std::ranges::count_if(report.findings.all(), &Finding::is_error);
   const auto n_warnings = static_cast<std::ptrdiff_t>(report.findings.all().size()) - n_errors;

@@ -113,7 +113,8 @@ Eigen::VectorXd Simulation::place_first(double start, Eigen::VectorXd& force_of_
 Findings Simulation::rehearse(double end, double time_step) {
   begin_trial(0, end, time_step);
   Eigen::VectorXd force_of_dem = force_of_dem_;
-  place_first(0, force_of_dem);
+  const Eigen::VectorXd velocities = place_first(0, force_of_dem);
+  take_iterate(fluid_moves_bodies_ ? iterate_of(force_of_dem) : velocities);
   const proto::Stamp stamp{.run = run_, .step = steps_ + 1, .sub_iteration = 0};
   if (!scene_.fluid) solvers_.advance_dem(stamp, trial_);
   return solvers_.rehearse(stamp, accepted_, trial_);
@@ -289,14 +290,18 @@ Eigen::VectorXd Simulation::iterate_of(const Eigen::VectorXd& force_of_dem) cons
   return dofs_.velocities(accepted_.motions) + trial_.time_step * force_of_dem.cwiseQuotient(inertia_);
 }
 
-/// One answer of the fluid and one of the DEM. Both have moved the free bodies then; the residual is by how
-/// much they disagree.
-coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration) {
-  const proto::Stamp stamp{.run = run_, .step = steps_ + 1, .sub_iteration = sub_iteration};
+void Simulation::take_iterate(const Eigen::VectorXd& x) {
   if (fluid_moves_bodies_)
     trial_.force_of_dem = inertia_.cwiseProduct(x - dofs_.velocities(accepted_.motions)) / trial_.time_step;
   else
     dofs_.set_velocities(x, trial_.placed);
+}
+
+/// One answer of the fluid and one of the DEM. Both have moved the free bodies then; the residual is by how
+/// much they disagree.
+coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration) {
+  const proto::Stamp stamp{.run = run_, .step = steps_ + 1, .sub_iteration = sub_iteration};
+  take_iterate(x);
   coupling::Exchange answer;
   answer.reason = solvers_.advance_fluid(stamp, accepted_, trial_);
   if (answer.reason.empty()) answer.reason = solvers_.advance_dem(stamp, trial_);

@@ -75,6 +75,7 @@ class Simulation {
   void iterate(const Eigen::VectorXd& first);
   bool is_badly_placed() const;
   void measure_ways();
+  void take_iterate(const Eigen::VectorXd& x);
   coupling::StepStart step_start() const;
   double contraction() const;
   double element_size(std::size_t body) const;
