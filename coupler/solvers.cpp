@@ -92,7 +92,7 @@ void Solvers::find_unresolved(Findings& findings) const {
     const double spans = elements_per_diameter(scene_, i, arc_lengths_[i]);
     if (spans >= fewest) continue;
     findings.warn(
-        fmt::format(scene_.bodies[i].shape == "polygon" ? "bodies.{}.vertices" : "bodies.{}.radius", i),
+        fmt::format("bodies.{}.{}", i, scene_.bodies[i].shape == "polygon" ? "vertices" : "radius"),
         "the diameter of the body \"{}\" spans {:.3g} elements, below {:g}: its drag is off by some "
         "per cent; {}",
         scene_.bodies[i].name, spans, fewest,

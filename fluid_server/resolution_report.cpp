@@ -10,9 +10,9 @@ namespace fpi::fluid {
 namespace {
 
 // What docs/numerics.md ("What resolution supports") measures.
-constexpr double largest_cell_reynolds = 100;
+constexpr double largest_cell_reynolds = 80;
 constexpr double largest_courant = 5;
-constexpr double creeping_body = 0.5, creeping_channel = 10;  ///< Reynolds numbers
+constexpr double creeping_body = 2, creeping_channel = 10;  ///< Reynolds numbers
 
 /// Fits of peak memory over unknowns, see docs/numerics.md [B].
 double expected_memory(double unknowns) {
