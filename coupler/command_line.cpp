@@ -32,6 +32,7 @@ CommandLine read_coupler_command_line(int argc, char** argv) {
       app.add_flag("--resume", session.resume, "continue the run in --out at its checkpoint");
   CLI::Option* planned = app.add_option("--plan", plan, "print as JSON which participants a scene needs");
   CLI::Option* checked = app.add_option("--check", check, "check a scene");
+  app.add_flag("--json", line.json, "with --check: print the report as JSON");
   app.add_flag("--reference", reference, "print all scene parameters as Markdown");
   CLI::Option* make_keys = app.add_option("--make-keys", line.keys_folder, "make CURVE keys in a folder");
   scene->needs(out)->excludes(resume);

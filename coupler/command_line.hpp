@@ -14,6 +14,7 @@ struct CommandLine {
   Task task = Task::run;
   SessionOptions session;
   std::string keys_folder;         ///< for Task::make_keys
+  bool json = false;               ///< for Task::check
   std::optional<int> exit_status;  ///< --help, --version or a mistake was answered already
 };
 

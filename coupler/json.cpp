@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "check.hpp"
 
 namespace fpi {
 namespace {
@@ -28,8 +31,10 @@ Json count(const Summary& summary, const std::string& role, const std::string& n
 
 Json vector(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
+/// Before the first step nothing is known of the forces: null, as zero would look like a result.
 Json bodies(const Summary& summary) {
   Json list = Json::array();
+  const bool has_forces = summary.statistics.steps() > 0;
   for (std::size_t i = 0; i < summary.body_names.size(); ++i) {
     const coupling::RigidMotion& motion = summary.bodies.motions.at(i);
     const coupling::RigidLoad& load = summary.bodies.loads.at(i);
@@ -37,8 +42,8 @@ Json bodies(const Summary& summary) {
                     {"position", vector(motion.position)},
                     {"velocity", vector(motion.velocity)},
                     {"spin", vector(motion.spin)},
-                    {"force", vector(load.force)},
-                    {"torque", vector(load.torque)}});
+                    {"force", has_forces ? vector(load.force) : Json()},
+                    {"torque", has_forces ? vector(load.torque) : Json()}});
   }
   return list;
 }
@@ -152,6 +157,45 @@ Json counts(const Summary& summary) {
   return all;
 }
 
+/// Before the first step as far as it was known then, at the end as it was at most.
+Json resolution(const Summary& summary) {
+  Json all = summary.resolution.figures;
+  all.update(figures_after(summary, "resolution:"));
+  if (!summary.resolution.coarsest_body.empty()) all["coarsest_body"] = summary.resolution.coarsest_body;
+  if (const double share = leak_share(summary); share > 0) all["leak"] = share;
+  return all;
+}
+
+Json findings(const Findings& findings) {
+  Json list = Json::array();
+  for (const Finding& finding : findings.all()) {
+    Json one{{"severity", finding.is_error ? "error" : "warning"}, {"key", finding.key}};
+    const std::size_t colon = finding.place.rfind(':');
+    const std::string line = colon == std::string::npos ? "" : finding.place.substr(colon + 1);
+    const bool has_line =
+        !line.empty() && line.size() < 10 && line.find_first_not_of("0123456789") == std::string::npos;
+    one["file"] = has_line ? finding.place.substr(0, colon) : finding.place;
+    one["line"] = has_line ? Json(std::stol(line)) : Json();
+    one["text"] = finding.text;
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+Json participants(const Plan& plan) {
+  Json list = Json::array();
+  for (const auto& [role, command, external] : plan.participants)
+    list.push_back({{"role", role}, {"command", command}, {"external", external}});
+  return list;
+}
+
+Json stages(const Plan& plan) {
+  Json list = Json::array();
+  for (const Stage& stage : plan.stages)
+    list.push_back({{"scene", stage.scene}, {"folder", stage.folder}, {"ready", stage.ready}});
+  return list;
+}
+
 Json wall_seconds(const Summary& summary) {
   Json seconds{{"total", summary.wall_total}};
   for (const char* part : {"mesh", "assembly", "factor", "solve", "interface"}) {
@@ -209,18 +253,37 @@ std::vector<std::string> coupling_table(const Summary& summary) {
 }
 
 std::string to_json(const Plan& plan) {
-  Json participants = Json::array();
-  for (const auto& [role, command, external] : plan.participants) {
-    participants.push_back({{"role", role}, {"command", command}, {"external", external}});
-  }
-  Json stages = Json::array();
-  for (const Stage& stage : plan.stages)
-    stages.push_back({{"scene", stage.scene}, {"folder", stage.folder}, {"ready", stage.ready}});
   return Json{{"title", plan.title},
               {"scene_fingerprint", plan.scene_fingerprint},
-              {"participants", std::move(participants)},
-              {"stages", std::move(stages)}}
+              {"participants", participants(plan)},
+              {"stages", stages(plan)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string to_json(const CheckReport& report) {
+  Json figures = report.resolution.figures;
+  if (!report.resolution.coarsest_body.empty()) figures["coarsest_body"] = report.resolution.coarsest_body;
+  return Json{{"status", report.is_ok() ? "ok" : "refused"},
+              {"scene", report.scene},
+              {"title", report.plan.title},
+              {"findings", findings(report.findings)},
+              {"resolution", std::move(figures)},
+              {"participants", participants(report.plan)},
+              {"stages", stages(report.plan)},
+              {"not_checked", report.not_checked},
+              {"text", to_text(report)}}
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+double leak_share(const Summary& summary) {
+  const Json balance = figures_after(summary, "volume:");
+  double flow = 0, leak = 0;
+  for (const auto& [name, value] : balance.items()) {
+    if (name == "leak") leak = std::abs(value.get<double>());
+    if (name == "bodies" || name.starts_with("boundary:"))
+      flow = std::max(flow, std::abs(value.get<double>()));
+  }
+  return flow > 0 ? leak / flow : 0;
 }
 
 std::string to_json(const Standing& s) {
@@ -265,6 +328,8 @@ std::string to_json(const Summary& s) {
               {"probes", s.probes},
               {"signals", signals(s)},
               {"profiles", profiles(s)},
+              {"resolution", resolution(s)},
+              {"warnings", s.warnings},
               {"percolation", figures_after(s, "percolation:")},
               {"errors", figures_after(s, "error:")},
               {"counts", counts(s)}}

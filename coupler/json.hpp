@@ -10,9 +10,12 @@
 #include "groups.hpp"
 #include "plan.hpp"
 #include "proto/messages.hpp"
+#include "resolution.hpp"
 #include "run.hpp"
 
 namespace fpi {
+
+struct CheckReport;
 
 /// All of summary.json.
 struct Summary {
@@ -38,7 +41,13 @@ struct Summary {
   std::map<std::string, double> coefficients, probes, drives;
   MeasuredSignals signals;
   std::vector<std::string> profile_names;
+  Resolution resolution;
+  std::vector<std::string> warnings;
 };
+
+/// What flows through the surfaces of bodies over the largest flow through a boundary or that bodies push; 0
+/// where there is none.
+double leak_share(const Summary& summary);
 
 /// What the coupling took, as lines of a log.
 std::vector<std::string> coupling_table(const Summary& summary);
@@ -46,6 +55,7 @@ std::vector<std::string> coupling_table(const Summary& summary);
 std::string to_json(const Plan& plan);
 std::string to_json(const Standing& standing);
 std::string to_json(const Summary& summary);
+std::string to_json(const CheckReport& report);
 
 /// Of the text of a summary with the status "completed"; nothing for any other text.
 std::optional<RunOrigin> origin_if_completed(const std::string& summary);

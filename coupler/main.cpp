@@ -3,15 +3,13 @@
 #include <csignal>
 #include <cstdio>
 
-#include "beyond_folder.hpp"
+#include "check.hpp"
 #include "command_line.hpp"
 #include "core/error.hpp"
-#include "grains/expand.hpp"
 #include "json.hpp"
 #include "plan.hpp"
 #include "proto/host.hpp"
 #include "proto/keys.hpp"
-#include "run_folder.hpp"
 #include "scene/scene.hpp"
 
 namespace fpi {
@@ -25,18 +23,6 @@ void listen_to_signals() {
   std::signal(SIGPIPE, SIG_IGN);  // a launcher that is gone must not take the results with it
 }
 
-int check_scene(const SessionOptions& options) {
-  StagedScene staged = read_staged(options.scene, options.overrides, options.stages);
-  const std::vector<std::string> beyond = beyond_folder(staged, options.scene);
-  const Files files = read_files(staged, options.scene);
-  scene::Scene& scene = staged.scene;
-  grains::expand(scene, [&files](const std::string& name) { return proto::content(files, name); });
-  std::printf("%s: ok, \"%s\"\n", options.scene.c_str(), scene.title.c_str());
-  for (const std::string& line : beyond) std::printf("  %s\n", line.c_str());
-  for (const std::string& line : grains::describe(scene)) std::printf("  %s\n", line.c_str());
-  return 0;
-}
-
 void print_plan(const SessionOptions& options) {
   StagedScene staged = read_staged(options.scene, options.overrides, options.stages);
   const Files files = read_files(find_files(staged, options.scene, Unready::leave_out), options.scene);
@@ -48,7 +34,7 @@ int carry_out(const CommandLine& line) {
     case Task::run:
       return run_session(line.session);
     case Task::check:
-      return check_scene(line.session);
+      return check_scene(line.session, line.json);
     case Task::plan:
       print_plan(line.session);
       return 0;

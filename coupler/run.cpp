@@ -27,7 +27,7 @@ Run::Run(const scene::Scene& scene, Participants participants, std::string folde
 
 void Run::start(const Files& files) {
   inputs_ = inputs_up_to_any_end(scene_, files);
-  simulation_.configure(files, {});
+  tell(simulation_.configure(files, {}));
   recorder_.emplace(scene_, folder_);
   if (!scene_.time.steady && window_.step() != scene_.time.step) {
     log::info("the time step is {} s instead of {} s (time.step), so that output times and the end are hit",
@@ -50,7 +50,7 @@ void Run::start_suddenly() {
 
 void Run::resume(const Files& files, const Checkpoint& checkpoint) {
   inputs_ = checkpoint.inputs;
-  simulation_.configure(files, checkpoint.participants);
+  tell(simulation_.configure(files, checkpoint.participants));
   simulation_.set_numbers(checkpoint.simulation);
   window_.set_state(checkpoint.time_window);
   fields_time_ = window_.start();  // a fluid has none of its resumed state: it knows no bodies before a step
@@ -199,6 +199,7 @@ void Run::give_up(const std::string& reason) {
 void Run::record(double time, const Attempt& attempt, bool fields_due) {
   reported_ = reported(scene_, simulation_);
   statistics_.add_step(attempt);
+  tell(simulation_.take_findings());
   log::debug("step {}: t = {} s, {} sub-iterations, residual of velocity {:.2g}, of force {:.2g}",
              simulation_.steps(), time, attempt.sub_iterations, attempt.velocity.relative,
              attempt.force.relative);
@@ -262,6 +263,12 @@ Standing Run::standing() const {
           .time = window_.start(),
           .end = scene_.time.end,
           .sub_iterations = sub_iterations_};
+}
+
+void Run::tell(const Findings& findings) const {
+  if (on_findings && !findings.all().empty()) return on_findings(findings);
+  findings.raise();
+  for (const std::string& line : to_lines(findings.all())) log::warning("{}", line);
 }
 
 void Run::report_progress() {

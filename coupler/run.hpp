@@ -48,6 +48,9 @@ class Run {
   Standing standing() const;
 
   std::function<void(const Standing&)> on_progress;
+  /// Called with what is found before the first step and later; errors end the run. Where it is empty,
+  /// warnings go to the log.
+  std::function<void(Findings)> on_findings;
 
  private:
   Attempt good_attempt();
@@ -67,6 +70,7 @@ class Run {
   Checkpoint state_now();
   void save_checkpoint();
   void report_progress();
+  void tell(const Findings& findings) const;
 
   const scene::Scene& scene_;
   Participants participants_;

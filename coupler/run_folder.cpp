@@ -54,27 +54,50 @@ bool is_in(const fs::path& path, const std::string& folder) {
 
 }  // namespace
 
-std::vector<InputFile> find_files(StagedScene& staged, const std::string& scene_file, Unready unready) {
+std::vector<InputFile> find_files(StagedScene& staged, const std::string& scene_file, Unready unready,
+                                  Findings& findings) {
   std::vector<InputFile> found;
-  for (std::string* name : scene::file_names(staged.scene)) {
-    const std::string path = place_of(*name, scene_file, staged.stages, unready);
-    *name = fs::path(*name).filename();
-    if (path.empty()) continue;
-    const auto known = std::ranges::find(found, *name, &InputFile::name);
+  const auto find = [&](std::string& name) {
+    const std::string path = place_of(name, scene_file, staged.stages, unready);
+    name = fs::path(name).filename();
+    if (path.empty()) return;
+    const auto known = std::ranges::find(found, name, &InputFile::name);
     if (known == found.end()) {
-      found.push_back({*name, path});
+      found.push_back({name, path});
     } else {
       require(known->path == path,
               "files with different names are required; {} names both {} and {}: rename one", scene_file,
               known->path, path);
     }
+  };
+  for (const auto& [key, name] : scene::file_keys(staged.scene)) {
+    const std::size_t before = found.size();
+    findings.attempt(key, [&find, &name = *name] { find(name); });
+    if (found.size() > before) found.back().key = key;
   }
   return found;
 }
 
-Files read_files(const std::vector<InputFile>& found, const std::string& scene_file) {
+std::vector<InputFile> find_files(StagedScene& staged, const std::string& scene_file, Unready unready) {
+  Findings findings;
+  std::vector<InputFile> found = find_files(staged, scene_file, unready, findings);
+  findings.raise();
+  return found;
+}
+
+Files read_files(const std::vector<InputFile>& found, const std::string& scene_file, Findings& findings) {
   Files files;
-  for (const auto& [name, path] : found) files.push_back({name, read_bytes(path, scene_file)});
+  for (const auto& [name, path, key] : found)
+    findings.attempt(key, [&, &name = name, &path = path] {
+      files.push_back({name, read_bytes(path, scene_file)});
+    });
+  return files;
+}
+
+Files read_files(const std::vector<InputFile>& found, const std::string& scene_file) {
+  Findings findings;
+  Files files = read_files(found, scene_file, findings);
+  findings.raise();
   return files;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/findings.hpp"
 #include "scene/scene.hpp"
 #include "simulation.hpp"
 #include "stages.hpp"
@@ -16,6 +17,7 @@ namespace fpi {
 struct InputFile {
   std::string name;  ///< that the scene has for it from here on: without its folder
   std::string path;
+  std::string key{};  ///< of the scene that names it
 };
 
 /// What becomes of stages whose runs are not there yet.
@@ -25,8 +27,13 @@ enum class Unready { refuse, leave_out };
 /// From here on the scene names them without their folder. Throws Error where two would have one name.
 std::vector<InputFile> find_files(StagedScene& staged, const std::string& scene_file,
                                   Unready unready = Unready::refuse);
+/// The same; each that cannot be is an error of the scene.
+std::vector<InputFile> find_files(StagedScene& staged, const std::string& scene_file, Unready unready,
+                                  Findings& findings);
 /// Throws Error where one cannot be read.
 Files read_files(const std::vector<InputFile>& found, const std::string& scene_file);
+/// The same; each that cannot be read is an error of the scene.
+Files read_files(const std::vector<InputFile>& found, const std::string& scene_file, Findings& findings);
 /// Both.
 Files read_files(StagedScene& staged, const std::string& scene_file);
 

@@ -6,34 +6,36 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <random>
-#include <set>
 
+#include "admission.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/version.hpp"
+#include "doubts.hpp"
 #include "end_state.hpp"
 #include "grains/expand.hpp"
-#include "grains/outlet_fit.hpp"
-#include "grains/static_overlap.hpp"
 #include "json.hpp"
 #include "output/replace.hpp"
+#include "places.hpp"
 #include "plan.hpp"
 #include "proto/descriptors.hpp"
 #include "proto/host.hpp"
 #include "proto/token.hpp"
-#include "remote.hpp"
+#include "resolution.hpp"
 #include "run.hpp"
 #include "run_folder.hpp"
+#include "scene/reading.hpp"
 
 namespace fpi {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double largest_leak = 0.01;  ///< through the surfaces of bodies, of the flow
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -118,14 +120,20 @@ class Session {
   void prepare() {
     if (options_.resume) check_may_be_set(options_.overrides);
     const std::string file = options_.resume ? options_.folder + "/scene.toml" : options_.scene;
-    StagedScene staged = read_staged(file, options_.overrides, options_.stages);
-    const std::vector<InputFile> found = find_files(staged, file);
+    reading_ = scene::read_all(file, options_.overrides);
+    reading_.findings.raise();
+    StagedScene staged = with_stages(reading_.scene, file, options_.stages);
+    Findings findings;
+    const std::vector<InputFile> found = find_files(staged, file, Unready::refuse, findings);
     if (!options_.resume) require_outside(options_.folder, file, found);
-    files_ = read_files(found, file);
-    plan_ = make_plan(staged, files_);
+    files_ = read_files(found, file, findings);
+    if (!findings.has_errors()) plan_ = make_plan(staged, files_);
     summary_.origin = {version, plan_.scene_fingerprint};
     scene_ = std::move(staged.scene);
-    grains::expand(scene_, [this](const std::string& name) { return proto::content(files_, name); });
+    if (!findings.has_errors())
+      findings =
+          grains::place(scene_, [this](const std::string& name) { return proto::content(files_, name); });
+    take(std::move(findings));
     if (options_.resume) find_checkpoint();
   }
 
@@ -174,58 +182,29 @@ class Session {
     log::info("{}: {}", checkpoint_ ? "resuming" : "starting", scene_.title);
     if (options_.resume && !checkpoint_) log::warning("there is no checkpoint yet: the run begins anew");
     for (const std::string& line : grains::describe(scene_)) log::info("{}", line);
-    warn_of_stretch();
-    for (const std::string& sentence : grains::narrow_outlets(scene_)) log::warning("{}", sentence);
-    for (const std::string& sentence : grains::soft_materials(scene_)) log::warning("{}", sentence);
-  }
-
-  /// Softer contacts are an error that the scene asks for.
-  void warn_of_stretch() const {
-    if (!scene_.dem || scene_.dem->stretch == 1) return;
-    const double k = scene_.dem->stretch;
-    log::warning(
-        "dem.stretch = {0:g}: contacts last {0:g} times as long as the materials say; impacts overlap {0:g} "
-        "times as "
-        "far, grains at rest {1:.3g} times",
-        k, std::pow(k, scene_.dem->contact == "linear" ? 2 : 5.0 / 3));
+    take(doubts(scene_));
   }
 
   void admit() {
     if (token_) say("token " + token_->path());
     say("address " + host_->address());
-    std::vector<std::string> roles;
-    std::vector<bool> external;
-    for (const PlannedParticipant& participant : plan_.participants) {
-      roles.push_back(participant.role);
-      external.push_back(participant.external);
-      summary_.figures[participant.role];
-    }
-    for (const proto::Hello& hello : host_->admit(roles, external)) {
-      check_hello(hello);
-      offered_.insert(hello.capabilities.begin(), hello.capabilities.end());
-    }
-    if (scene_.needs_fluid()) fluid_.emplace(*host_, "fluid", number_, ledger_);
-    if (scene_.needs_dem()) dem_.emplace(*host_, "dem", number_, ledger_);
-    const Participants participants{.fluid = fluid_ ? &*fluid_ : nullptr,
-                                    .dem = dem_ ? &*dem_ : nullptr,
-                                    .fluid_moves_bodies = offered_.contains("balance"),
-                                    .dem_takes_added_inertia = offered_.contains("added_inertia"),
-                                    .dem_takes_resistance = offered_.contains("resistance"),
-                                    .save_their_state = all_save_};
-    run_ = std::make_unique<Run>(scene_, participants, options_.folder, number_, ledger_);
+    for (const PlannedParticipant& participant : plan_.participants) summary_.figures[participant.role];
+    admission_ = std::make_unique<Admission>(*host_, plan_.participants, scene_, checkpoint_.has_value(),
+                                             number_, ledger_);
+    run_ = std::make_unique<Run>(scene_, admission_->participants(), options_.folder, number_, ledger_);
     run_->on_progress = ProgressPrinter();
+    run_->on_findings = [this](Findings findings) { take(std::move(findings)); };
   }
 
-  void check_hello(const proto::Hello& hello) {
-    log::info("{}: {} {}", hello.role, hello.program, hello.program_version);
-    const bool can_save = std::ranges::find(hello.capabilities, "checkpoint") != hello.capabilities.end();
-    if (!can_save) log::info("{} offers no checkpoints: none are written", hello.program);
-    all_save_ = all_save_ && can_save;
-    require(can_save || (scene_.output.checkpoint_every == 0 && !checkpoint_),
-            "a checkpoint needs every participant to offer it; {} ({}) does not: set output.checkpoint_every "
-            "= 0 or "
-            "use another program",
-            hello.program, hello.role);
+  /// Throws Error with all errors, each with its place in the scene's file; warns of the rest.
+  void take(Findings findings) {
+    Places(reading_, scene_).fill(findings);
+    findings.raise();
+    for (const std::string& line : to_lines(findings.all())) warn(line);
+  }
+  void warn(const std::string& line) {
+    log::warning("{}", line);
+    summary_.warnings.push_back(line);
   }
 
   void march() {
@@ -236,6 +215,8 @@ class Session {
     } else {
       run_->start(files_);
     }
+    summary_.resolution = resolution(scene_, run_->simulation());
+    for (const std::string& line : describe(summary_.resolution)) log::info("{}", line);
     run_->march();
   }
 
@@ -292,6 +273,7 @@ class Session {
   }
 
   void collect_results() {
+    warn_of_leak();
     summary_.statistics = run_->statistics();
     if (const auto worst = summary_.statistics.worst())
       summary_.worst_body = run_->simulation().body_of(worst->unknown);
@@ -320,6 +302,18 @@ class Session {
     write_extrema(summary_.signals, options_.folder);
   }
 
+  void warn_of_leak() {
+    const double share = leak_share(summary_);
+    if (share <= largest_leak) return;
+    // The table at the end of a run says it too, with the figure of every run.
+    const std::string line = fmt::format(
+        "{:.2g} % of the flow goes through the surfaces of bodies: smaller elements let less through, or a "
+        "smaller fluid.embedding.arc_ratio, not below 0.9",
+        100 * share);
+    log::info("{}", line);
+    summary_.warnings.push_back(line);
+  }
+
   void write_summary() {
     summary_.wall_total = seconds_since(start_);
     summary_.wall_output = ledger_.seconds["output"];
@@ -337,17 +331,16 @@ class Session {
   const SessionOptions& options_;
   const Clock::time_point start_ = Clock::now();
   Ledger ledger_;
+  scene::Reading reading_;
   scene::Scene scene_;
   Plan plan_;
   const std::uint64_t number_ = random_run_number();
   std::optional<Checkpoint> checkpoint_;  ///< to resume from
-  bool uses_previous_ = false, began_ = false, reached_end_ = false, all_save_ = true;
+  bool uses_previous_ = false, began_ = false, reached_end_ = false;
   Files files_;
   std::optional<proto::TokenFile> token_;  ///< where there are no keys
   std::unique_ptr<proto::Host> host_;
-  std::set<std::string> offered_;  ///< capabilities of all participants
-  std::optional<RemoteFluid> fluid_;
-  std::optional<RemoteDem> dem_;
+  std::unique_ptr<Admission> admission_;
   std::unique_ptr<Run> run_;
   Summary summary_;
 };

@@ -87,11 +87,8 @@ void Simulation::float_in_still_fluid() {
 
 Attempt Simulation::attempt(double start, double end, double time_step) {
   begin_trial(start, end, time_step);
-  Eigen::VectorXd velocities = predictor_.guess(step_start()), force_of_dem = force_of_dem_;
-  if (fluid_moves_bodies_ && solvers_.dem_takes_added_inertia() && time_step > 0)
-    foresee_contacts(start, velocities, force_of_dem);
-  trial_.wants_resistance = bodies_act(force_of_dem_) || bodies_act(force_of_dem);
-  place_bodies(start, velocities);
+  Eigen::VectorXd force_of_dem = force_of_dem_;
+  const Eigen::VectorXd velocities = place_first(start, force_of_dem);
   iterate(fluid_moves_bodies_ ? iterate_of(force_of_dem) : velocities);
   while (is_badly_placed()) {
     ++trial_.report.recuts;
@@ -100,6 +97,28 @@ Attempt Simulation::attempt(double start, double end, double time_step) {
     iterate(fluid_moves_bodies_ ? iterate_of(trial_.force_of_dem) : found);
   }
   return trial_.report;
+}
+
+/// Puts the bodies where the predicted velocities bring them, and returns these.
+Eigen::VectorXd Simulation::place_first(double start, Eigen::VectorXd& force_of_dem) {
+  Eigen::VectorXd velocities = predictor_.guess(step_start());
+  if (fluid_moves_bodies_ && solvers_.dem_takes_added_inertia() && trial_.time_step > 0)
+    foresee_contacts(start, velocities, force_of_dem);
+  trial_.wants_resistance = bodies_act(force_of_dem_) || bodies_act(force_of_dem);
+  place_bodies(start, velocities);
+  return velocities;
+}
+
+/// The messages are those of the first sub-iteration; without a fluid the grains are moved, which costs
+/// little.
+Findings Simulation::rehearse(double end, double time_step) {
+  begin_trial(0, end, time_step);
+  Eigen::VectorXd force_of_dem = force_of_dem_;
+  const Eigen::VectorXd velocities = place_first(0, force_of_dem);
+  take_iterate(fluid_moves_bodies_ ? iterate_of(force_of_dem) : velocities);
+  const proto::Stamp stamp{.run = run_, .step = steps_ + 1, .sub_iteration = 0};
+  if (!scene_.fluid) solvers_.advance_dem(stamp, trial_);
+  return solvers_.rehearse(stamp, accepted_, trial_);
 }
 
 /// What the DEM makes of the predicted velocities, with the fluid's balance as the last steps foretell it:
@@ -272,14 +291,18 @@ Eigen::VectorXd Simulation::iterate_of(const Eigen::VectorXd& force_of_dem) cons
   return dofs_.velocities(accepted_.motions) + trial_.time_step * force_of_dem.cwiseQuotient(inertia_);
 }
 
-/// One answer of the fluid and one of the DEM. Both have moved the free bodies then; the residual is by how
-/// much they disagree.
-coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration) {
-  const proto::Stamp stamp{.run = run_, .step = steps_ + 1, .sub_iteration = sub_iteration};
+void Simulation::take_iterate(const Eigen::VectorXd& x) {
   if (fluid_moves_bodies_)
     trial_.force_of_dem = inertia_.cwiseProduct(x - dofs_.velocities(accepted_.motions)) / trial_.time_step;
   else
     dofs_.set_velocities(x, trial_.placed);
+}
+
+/// One answer of the fluid and one of the DEM. Both have moved the free bodies then; the residual is by how
+/// much they disagree.
+coupling::Exchange Simulation::exchange(const Eigen::VectorXd& x, std::uint32_t sub_iteration) {
+  const proto::Stamp stamp{.run = run_, .step = steps_ + 1, .sub_iteration = sub_iteration};
+  take_iterate(x);
   coupling::Exchange answer;
   answer.reason = solvers_.advance_fluid(stamp, accepted_, trial_);
   if (answer.reason.empty()) answer.reason = solvers_.advance_dem(stamp, trial_);

@@ -25,7 +25,12 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   /// Sends every participant its part of the scene, and its state where a run is resumed.
-  void configure(const Files& files, const StatesByRole& states) { solvers_.configure(files, states); }
+  Findings configure(const Files& files, const StatesByRole& states) {
+    return solvers_.configure(files, states);
+  }
+  /// What would refuse the first step, and what is doubtful in it, without solving for the flow. Nothing can
+  /// be asked after it.
+  Findings rehearse(double end, double time_step);
 
   /// Tries the step from `start` to `end` [s] of size `time_step` [s] (0: the steady state), always from the
   /// last accepted state. Either `accept` or `restore` must follow.
@@ -41,6 +46,9 @@ class Simulation {
 
   std::uint64_t steps() const { return steps_; }  ///< accepted so far
   const CoupledState& state() const { return accepted_; }
+  const Solvers& solvers() const { return solvers_; }
+  /// What participants found in the accepted states since the last call.
+  Findings take_findings() { return solvers_.take_findings(); }
   /// Bodies that left with the last accepted step.
   const std::vector<Departure>& departures() const { return departures_; }
   /// The name of the body that an unknown of the coupling belongs to.
@@ -63,6 +71,7 @@ class Simulation {
   bool starts_suddenly() const;
   void settle();
   void begin_trial(double start, double end, double time_step);
+  Eigen::VectorXd place_first(double start, Eigen::VectorXd& force_of_dem);
   void place_bodies(double start, const Eigen::VectorXd& predicted);
   bool stays_cut(std::size_t body) const;
   coupling::Arcs outline(std::size_t body, const coupling::RigidMotion& placed) const;
@@ -74,6 +83,7 @@ class Simulation {
   void iterate(const Eigen::VectorXd& first);
   bool is_badly_placed() const;
   void measure_ways();
+  void take_iterate(const Eigen::VectorXd& x);
   coupling::StepStart step_start() const;
   double contraction() const;
   double element_size(std::size_t body) const;

@@ -45,6 +45,11 @@ proto::Bytes state_of(const StatesByRole& states, const char* role) {
 
 }  // namespace
 
+double elements_per_diameter(const scene::Scene& scene, std::size_t body, double arc_length) {
+  return coupling::diameter(scene.bodies[body], scene.hydraulic_radius_ratio) *
+         scene.fluid->embedding.arc_ratio / arc_length;
+}
+
 Solvers::Solvers(const scene::Scene& scene, const coupling::RigidDofs& dofs, Participants participants,
                  bool fluid_moves_bodies)
     : scene_(scene),
@@ -57,17 +62,42 @@ Solvers::Solvers(const scene::Scene& scene, const coupling::RigidDofs& dofs, Par
     if (scene.walls[i].moves()) moving_walls_.push_back(i);
 }
 
-void Solvers::configure(const Files& files, const StatesByRole& states) {
+Findings Solvers::configure(const Files& files, const StatesByRole& states) {
+  Findings findings;
+  const auto take = [&](const char* role, const proto::Configured& configured) {
+    log_notes(role, configured);
+    findings.append(configured.findings);
+    configured_figures_[role] = configured.figures;
+    return !Findings(configured.findings).has_errors();
+  };
   if (participants_.fluid) {
     const proto::Configured configured = participants_.fluid->configure(
         configuration(scene_for_fluid(scene_), files, state_of(states, "fluid")));
-    log_notes("fluid", configured);
-    take_arc_lengths(configured.arc_lengths);
-    if (configured.resolved_gap_ratio > 0) resolved_gap_ratio_ = configured.resolved_gap_ratio;
+    if (take("fluid", configured)) {
+      take_arc_lengths(configured.arc_lengths);
+      find_unresolved(findings);
+      if (configured.resolved_gap_ratio > 0) resolved_gap_ratio_ = configured.resolved_gap_ratio;
+    }
   }
-  if (participants_.dem) {
-    log_notes("dem", participants_.dem->configure(configuration(scene::part_of(scene::Part::dem, scene_),
-                                                                files, state_of(states, "dem"))));
+  if (participants_.dem)
+    take("dem", participants_.dem->configure(
+                    configuration(scene::part_of(scene::Part::dem, scene_), files, state_of(states, "dem"))));
+  return findings;
+}
+
+/// Below six elements across a diameter the drag of a disc is some per cent off (docs/numerics.md).
+void Solvers::find_unresolved(Findings& findings) const {
+  constexpr double fewest = 6;
+  for (std::size_t i = 0; i < arc_lengths_.size(); ++i) {
+    const double spans = elements_per_diameter(scene_, i, arc_lengths_[i]);
+    if (spans >= fewest) continue;
+    findings.warn(
+        fmt::format("bodies.{}.{}", i, scene_.bodies[i].shape == "polygon" ? "vertices" : "radius"),
+        "the diameter of the body \"{}\" spans {:.3g} elements, below {:g}: its drag is off by some "
+        "per cent; {}",
+        scene_.bodies[i].name, spans, fewest,
+        scene_.fluid->mesh.file.empty() ? "set fluid.mesh.elements_per_diameter, or take smaller cells"
+                                        : "make the mesh finer there");
   }
 }
 
@@ -89,8 +119,7 @@ void Solvers::warn_where_coarse(std::size_t body) {
   constexpr double clearly = 1.5;
   const double asked = scene_.fluid->mesh.elements_per_diameter;
   if (asked == 0 || told_of_coarse_mesh_[body]) return;
-  const double found = coupling::diameter(scene_.bodies[body], scene_.hydraulic_radius_ratio) *
-                       scene_.fluid->embedding.arc_ratio / arc_lengths_[body];
+  const double found = elements_per_diameter(scene_, body, arc_lengths_[body]);
   if (clearly * found >= asked) return;
   told_of_coarse_mesh_[body] = true;
   log::warning(
@@ -102,13 +131,8 @@ void Solvers::warn_where_coarse(std::size_t body) {
 std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState& before, Trial& trial) {
   if (!participants_.fluid) return "";
   const bool wants_resistance = trial.wants_resistance && stamp.sub_iteration == 0;
-  proto::FluidAdvance message{.time = trial.end,
-                              .time_step = trial.time_step,
-                              .interfaces = {},
-                              .wants_resistance = wants_resistance};
-  for (std::uint32_t i = 0; i < trial.placed.size(); ++i)
-    if (before.is_there(i)) message.interfaces.push_back(to_wire(i, trial.state.arcs[i], trial.placed[i]));
-  if (fluid_moves_bodies_) add_balances(before, trial, message.interfaces);
+  proto::FluidAdvance message = message_to_fluid(before, trial);
+  message.wants_resistance = wants_resistance;
   proto::FluidAdvanced answer = participants_.fluid->advance(stamp, message);
   trial.report.newton_iterations += answer.newton_iterations;
   trial.report.time_error = {.value = answer.time_error, .order = answer.time_error_order};
@@ -117,6 +141,21 @@ std::string Solvers::advance_fluid(const proto::Stamp& stamp, const CoupledState
   if (wants_resistance) take_resistance(answer.resistance, trial);
   trial.fluid_speed = answer.speed;
   return "";
+}
+
+proto::FluidAdvance Solvers::message_to_fluid(const CoupledState& before, const Trial& trial) const {
+  proto::FluidAdvance message{.time = trial.end, .time_step = trial.time_step, .interfaces = {}};
+  for (std::uint32_t i = 0; i < trial.placed.size(); ++i)
+    if (before.is_there(i)) message.interfaces.push_back(to_wire(i, trial.state.arcs[i], trial.placed[i]));
+  if (fluid_moves_bodies_) add_balances(before, trial, message.interfaces);
+  return message;
+}
+
+Findings Solvers::rehearse(const proto::Stamp& stamp, const CoupledState& before, const Trial& trial) {
+  if (!participants_.fluid) return {};
+  proto::FluidAdvance message = message_to_fluid(before, trial);
+  message.rehearsal = true;
+  return participants_.fluid->advance(stamp, message).findings;
 }
 
 /// Each free body's own balance of momentum, for the fluid to solve with its equations.
@@ -253,6 +292,7 @@ void Solvers::accept(const CoupledState& state, const std::vector<Departure>& le
   figures_.clear();
   const auto take = [this](const proto::Accepted& accepted) {
     figures_.insert(accepted.figures.begin(), accepted.figures.end());
+    findings_.append(accepted.findings);
   };
   if (participants_.fluid) {
     take(participants_.fluid->accept(message));

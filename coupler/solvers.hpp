@@ -7,8 +7,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/findings.hpp"
 #include "coupled_state.hpp"
 #include "outlets.hpp"
 #include "proto/participant.hpp"
@@ -31,14 +33,22 @@ using Files = std::vector<proto::File>;
 /// A participant's own state by role, for a checkpoint.
 using StatesByRole = std::map<std::string, proto::Bytes>;
 
+/// How many elements the diameter of a body spans where the fluid wants arcs of that length [m].
+double elements_per_diameter(const scene::Scene& scene, std::size_t body, double arc_length);
+
 class Solvers {
  public:
   /// `fluid_moves_bodies`: it is sent the balances of the free bodies and finds their velocities.
   Solvers(const scene::Scene& scene, const coupling::RigidDofs& dofs, Participants participants,
           bool fluid_moves_bodies);
 
-  /// Sends every participant its part of the scene, and its state where a run is resumed.
-  void configure(const Files& files, const StatesByRole& states);
+  /// Sends every participant its part of the scene, and its state where a run is resumed. With an error among
+  /// the findings nothing else may be asked of them.
+  Findings configure(const Files& files, const StatesByRole& states);
+  /// What they said of the scene then, by role.
+  const std::map<std::string, proto::Figures>& configured_figures() const { return configured_figures_; }
+  /// What would have the fluid refuse the trial, which started from `before`, and what is doubtful in it.
+  Findings rehearse(const proto::Stamp& stamp, const CoupledState& before, const Trial& trial);
 
   bool has_fluid() const { return participants_.fluid != nullptr; }
   bool dem_takes_added_inertia() const { return participants_.dem_takes_added_inertia; }
@@ -50,6 +60,8 @@ class Solvers {
   std::string advance_dem(const proto::Stamp& stamp, Trial& trial);
   /// `leaving`: bodies that take no part any more.
   void accept(const CoupledState& state, const std::vector<Departure>& leaving);
+  /// Of the accepted states since the last call.
+  Findings take_findings() { return std::exchange(findings_, {}); }
   void restore();
 
   /// [m] that the fluid wants for the interface mesh, one a body.
@@ -59,6 +71,7 @@ class Solvers {
   std::optional<double> figure(const std::string& name) const;
 
  private:
+  proto::FluidAdvance message_to_fluid(const CoupledState& before, const Trial& trial) const;
   void add_balances(const CoupledState& before, const Trial& trial,
                     std::vector<proto::Interface>& interfaces) const;
   std::vector<Eigen::Index> unknowns_there(const CoupledState& state) const;
@@ -70,6 +83,7 @@ class Solvers {
   std::vector<proto::ArcLength> wanted_lengths(const CoupledState& state) const;
   void take_arc_lengths(const std::vector<proto::ArcLength>& lengths);
   void warn_where_coarse(std::size_t body);
+  void find_unresolved(Findings& findings) const;
 
   const scene::Scene& scene_;
   const coupling::RigidDofs& dofs_;
@@ -80,6 +94,8 @@ class Solvers {
   std::vector<bool> told_of_coarse_mesh_;  ///< one a body
   double resolved_gap_ratio_ = 1;          ///< narrowest gap that the fluid resolves, of the arc length
   std::map<std::string, double> figures_;
+  std::map<std::string, proto::Figures> configured_figures_;
+  Findings findings_;
 };
 
 }  // namespace fpi

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/version.hpp"
@@ -35,7 +36,11 @@ Stage stage_of(const fs::path& scene_file, const fs::path& stages_folder) {
 
 StagedScene read_staged(const std::string& scene_file, const std::vector<std::string>& overrides,
                         const std::string& stages_folder) {
-  StagedScene staged{.scene = scene::read_file(scene_file, overrides), .stages = {}};
+  return with_stages(scene::read_file(scene_file, overrides), scene_file, stages_folder);
+}
+
+StagedScene with_stages(scene::Scene scene, const std::string& scene_file, const std::string& stages_folder) {
+  StagedScene staged{.scene = std::move(scene), .stages = {}};
   for (scene::Grains& group : staged.scene.grains) {
     if (!group.is_staged()) continue;
     const Stage stage = stage_of(fs::path(scene_file).parent_path() / group.file, stages_folder);

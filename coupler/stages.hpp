@@ -35,6 +35,9 @@ struct StagedScene {
 StagedScene read_staged(const std::string& scene_file, const std::vector<std::string>& overrides,
                         const std::string& stages_folder);
 
+/// The same of a scene that is read already.
+StagedScene with_stages(scene::Scene scene, const std::string& scene_file, const std::string& stages_folder);
+
 /// The table that a finished stage ends with. Throws Error with the command that runs it where it is not
 /// ready.
 std::string table_of(const Stage& stage);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "core/error.hpp"
 #include "grains/expand.hpp"
@@ -20,13 +22,16 @@ using Meshes = std::map<std::string, std::vector<Corners>>;  ///< by the names o
 
 /// The meshes of walls; what is to be said of them is added to `notes`.
 Meshes read_meshes(const scene::Scene& scene, const std::vector<proto::File>& files,
-                   std::vector<std::string>& notes) {
+                   std::vector<std::string>& notes, Findings& findings) {
   Meshes meshes;
-  for (const scene::Wall& wall : scene.walls) {
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+    const scene::Wall& wall = scene.walls[i];
     if (wall.shape != "mesh" || meshes.contains(wall.file)) continue;
-    StlMesh mesh = read_stl(proto::content(files, wall.file), wall.file);
-    meshes[wall.file] = std::move(mesh.triangles);
-    if (!mesh.note.empty()) notes.push_back(std::move(mesh.note));
+    findings.attempt(fmt::format("walls.{}.file", i), [&] {
+      StlMesh mesh = read_stl(proto::content(files, wall.file), wall.file);
+      meshes[wall.file] = std::move(mesh.triangles);
+      if (!mesh.note.empty()) notes.push_back(std::move(mesh.note));
+    });
   }
   return meshes;
 }
@@ -75,6 +80,28 @@ std::vector<proto::Motion> write_motions(const Motions& motions) {
   return messages;
 }
 
+/// Duration [s] of the shortest impact that is to be expected: two of the smallest free bodies that meet as
+/// fast as the fastest starts, or after a fall through the diameter of the largest. Nothing where none can.
+std::optional<double> shortest_contact(const Model& model, const Motions& start) {
+  double mass = 0, radius = 0, largest = 0, speed = 0;
+  std::size_t material = 0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    speed = std::max(speed, start.velocity[i].norm());
+    if (!model.bodies.is_free(i)) continue;
+    largest = std::max(largest, model.bodies.radius[i]);
+    if (mass > 0 && model.bodies.mass[i] >= mass) continue;
+    mass = model.bodies.mass[i];
+    radius = model.bodies.radius[i];
+    material = model.bodies.material[i];
+  }
+  speed = std::max(speed, std::sqrt(4 * model.gravity.norm() * largest));
+  const bool can_touch = model.bodies.size() > 1 || !model.walls.walls.empty();
+  if (!can_touch || !(mass > 0) || !(speed > 0) || model.laws.n_materials() == 0) return std::nullopt;
+  const PairLaw& law = model.laws(material, material);
+  const double time = contact_time(model.elasticity, law, {0.5 * mass, 0.5 * radius, 0, speed});
+  return std::isfinite(time) && time > 0 ? std::optional(time) : std::nullopt;
+}
+
 /// Adds what is left out in this scene, and why.
 void add_notes(const Model& model, std::vector<std::string>& notes) {
   if (model.walls.walls.empty() && model.bodies.size() == 1)
@@ -91,12 +118,21 @@ proto::Configured DemService::configure(const proto::Configure& message) {
   progress.set("configure");
   scene::Scene scene = scene::read_text(message.scene, "the scene sent by the coupler");
   grains::expand(scene, [&](const std::string& name) { return proto::content(message.files, name); });
+  Findings findings;
   std::vector<std::string> notes;
-  solver_.emplace(make_problem(scene, read_meshes(scene, message.files, notes)));
+  Meshes meshes = read_meshes(scene, message.files, notes, findings);
+  if (!findings.has_errors())
+    findings.attempt("", [&] { solver_.emplace(make_problem(scene, std::move(meshes))); });
+  if (!solver_) return {.findings = findings.all()};
   if (!message.state.empty()) solver_->resume(message.state);
   const Model& model = solver_->model();
   add_notes(model, notes);
-  return {.notes = std::move(notes), .figures = {{"bodies", static_cast<double>(model.bodies.size())}}};
+  proto::Configured out{.notes = std::move(notes),
+                        .figures = {{"bodies", static_cast<double>(model.bodies.size())}},
+                        .findings = findings.all()};
+  if (const auto time = shortest_contact(model, solver_->motions()))
+    out.figures.emplace_back("resolution:contact_time", *time);
+  return out;
 }
 
 proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdvance& message) {

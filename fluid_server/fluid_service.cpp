@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "fluid/footprint.hpp"
 #include "fluid/scene_mesh.hpp"
 #include "grains/expand.hpp"
 #include "measurements.hpp"
@@ -16,27 +17,13 @@ namespace {
 Vec2 to_plane(const proto::Vec3& v) { return {v[0], v[1]}; }
 proto::Vec3 to_wire(const Vec2& v) { return {v.x(), v.y(), 0}; }
 
-void check_dimension(const scene::Scene& scene) {
-  for (const scene::Body& body : scene.bodies)
-    require(body.is_plane(),
-            "bodies \"{}\": a plane fluid takes discs and polygons only; got a {}: make it one of them",
-            body.name, body.shape);
-}
-
-std::vector<Vec2> to_points(const std::vector<double>& coordinates) {
-  std::vector<Vec2> points;
-  for (std::size_t i = 0; i + 1 < coordinates.size(); i += 2)
-    points.emplace_back(coordinates[i], coordinates[i + 1]);
-  return points;
-}
-
-/// Where the scene puts a body, as the fluid sees it.
-Outline outline(const scene::Body& body, double hydraulic_radius_ratio) {
-  const Vec2 position(body.position[0], body.position[1]);
-  if (body.shape == "disc") return Disc{position, body.radius * hydraulic_radius_ratio};
-  Polygon polygon{to_points(body.outline())};
-  for (Vec2& corner : polygon.corners) corner += position;
-  return polygon;
+void check_dimension(const scene::Scene& scene, Findings& findings) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (const scene::Body& body = scene.bodies[b]; !body.is_plane())
+      findings.error(fmt::format("bodies.{}.shape", b),
+                     "bodies \"{}\": a plane fluid takes discs and polygons only; got a {}: make it one of "
+                     "them",
+                     body.name, body.shape);
 }
 
 Settings settings(const scene::Scene& scene) {
@@ -112,43 +99,78 @@ Result solve(const scene::Scene& scene, NavierStokes& solver, const Request& req
 proto::Configured FluidService::configure(const proto::Configure& message) {
   progress.set("mesh");
   Ledger ledger;
+  Findings findings;
   {
     const ScopedTimer timer(ledger, "mesh");
     scene_ = scene::read_text(message.scene, "the scene sent by the coupler");
     require(scene_.fluid.has_value(),
             "a scene with [fluid] is required; got one without: start no fluid for it");
-    check_dimension(scene_);
     grains::expand(scene_, [&](const std::string& name) { return proto::content(message.files, name); });
-    const std::string& mesh_name = scene_.fluid->mesh.file;
-    const std::string_view text = mesh_name.empty() ? "" : proto::content(message.files, mesh_name);
-    solver_.emplace(scene_mesh(*scene_.fluid, scene_.periodic, text), settings(scene_));
+    check_dimension(scene_, findings);
+    make_solver(message.files, findings);
   }
+  if (!solver_) return {.findings = findings.all()};
   solver_->monitor.ledger = std::move(ledger);
   solver_->monitor.phase = [this](const char* phase) { progress.set(phase); };
   const Mesh& mesh = solver_->mesh();
   if (!message.state.empty())
     solver_->set_state(from_bytes(message.state, mesh.n_nodes(), mesh.n_vertices()));
-  require_in_mesh(scene_, *solver_);
 
   // A gap of one element is resolved, whatever the arcs' length beside it.
-  proto::Configured out{.resolved_gap_ratio = 1 / scene_.fluid->embedding.arc_ratio,
+  proto::Configured out{.arc_lengths = arc_lengths(mesh, solver_->locator(), findings),
+                        .resolved_gap_ratio = 1 / scene_.fluid->embedding.arc_ratio,
                         .notes = solver_->notes()};
+  resolution_.begin(scene_, *solver_, findings);
+  out.figures = resolution_.figures();
+  out.findings = findings.all();
+  return out;
+}
+
+/// Where the mesh and its boundaries are as the scene has them; what else is wrong with the scene's places in
+/// the mesh is told with it.
+void FluidService::make_solver(const std::vector<proto::File>& files, Findings& findings) {
+  const scene::Fluid& fluid = *scene_.fluid;
+  std::optional<Mesh> mesh;
+  findings.attempt(fluid.mesh.file.empty() ? "fluid.mesh" : "fluid.mesh.file", [&] {
+    const std::string_view text = fluid.mesh.file.empty() ? "" : proto::content(files, fluid.mesh.file);
+    mesh = scene_mesh(fluid, scene_.periodic, text);
+  });
+  if (!mesh) return;
+  const Findings boundaries = unmatched(*mesh, fluid.boundaries);
+  findings.append(boundaries.all());
+  if (!findings.has_errors())
+    findings.attempt("fluid", [&] { solver_.emplace(std::move(*mesh), settings(scene_)); });
+  if (solver_) return check_places(scene_, solver_->mesh(), solver_->locator(), findings);
+  if (mesh->cells.empty()) return;  // it was taken
+  const Locator locator(*mesh);
+  check_places(scene_, *mesh, locator, findings);
+  arc_lengths(*mesh, locator, findings);
+}
+
+std::vector<proto::ArcLength> FluidService::arc_lengths(const Mesh& mesh, const Locator& locator,
+                                                        Findings& findings) const {
+  std::vector<proto::ArcLength> lengths;
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const scene::Body& body = scene_.bodies[b];
-    const double length = solver_->arc_length(outline(body, scene_.hydraulic_radius_ratio));
-    require(length > 0,
-            "the body \"{}\" must lie in the mesh; its outline around ({:g}, {:g}) m meets no element",
-            body.name, body.position[0], body.position[1]);
-    out.arc_lengths.push_back({static_cast<std::uint32_t>(b), length});
+    if (!body.is_plane()) continue;
+    const double length = wanted_arc_length(mesh, locator, outline(body, scene_.hydraulic_radius_ratio),
+                                            scene_.fluid->embedding.arc_ratio);
+    if (!(length > 0))
+      findings.error(fmt::format("bodies.{}.position", b),
+                     "the body \"{}\" must lie in the mesh; its outline around ({:g}, {:g}) m meets no "
+                     "element: move it inside, or make the mesh larger",
+                     body.name, body.position[0], body.position[1]);
+    else
+      lengths.push_back({static_cast<std::uint32_t>(b), length});
   }
-  out.figures = {{"cells", mesh.n_cells()}, {"nodes", mesh.n_nodes()}};
-  return out;
+  return lengths;
 }
 
 proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const proto::FluidAdvance& message) {
   Request request{message.time, message.time_step, stamp.sub_iteration, {}, message.wants_resistance};
   for (const proto::Interface& interface : message.interfaces)
     request.interfaces.push_back(read_interface(interface, message.time_step, scene_.thickness));
+  if (message.rehearsal) return {.findings = solver().rehearse(request).all()};
   const Result result = solve(scene_, solver(), request);
   proto::FluidAdvanced out{.converged = result.newton.converged,
                            .reason = result.newton.reason,
@@ -168,7 +190,7 @@ proto::FluidAdvanced FluidService::advance(const proto::Stamp& stamp, const prot
 proto::Accepted FluidService::accept(const proto::Accept&) {
   solver().accept();
   permeability_ = permeability_figures(scene_, solver());
-  return {step_figures(scene_, solver())};
+  return {step_figures(scene_, solver()), resolution_.accept(solver())};
 }
 
 void FluidService::restore() { solver().restore(); }
@@ -218,6 +240,7 @@ proto::Figures FluidService::report() {
   for (const auto& [name, seconds] : solver_->monitor.ledger.seconds)
     figures.emplace_back("seconds:" + name, seconds);
   for (const auto& [name, count] : solver_->monitor.ledger.counts) figures.emplace_back(name, count);
+  std::ranges::move(resolution_.figures(), std::back_inserter(figures));
   figures.emplace_back("unknowns", solver_->n_unknowns());
   return figures;
 }

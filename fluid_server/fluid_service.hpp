@@ -5,6 +5,7 @@
 
 #include "fluid/navier_stokes.hpp"
 #include "proto/participant.hpp"
+#include "resolution_report.hpp"
 #include "scene/scene.hpp"
 
 namespace fpi::fluid {
@@ -20,10 +21,14 @@ class FluidService : public proto::FluidParticipant {
   proto::Figures report() override;
 
  private:
+  void make_solver(const std::vector<proto::File>& files, Findings& findings);
+  std::vector<proto::ArcLength> arc_lengths(const Mesh& mesh, const Locator& locator,
+                                            Findings& findings) const;
   NavierStokes& solver();
 
   scene::Scene scene_;
   std::optional<NavierStokes> solver_;
+  ResolutionReport resolution_;
   proto::Figures permeability_;  ///< found with the accepted steady flow
 };
 

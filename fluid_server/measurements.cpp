@@ -48,20 +48,52 @@ FlowErrors errors(const scene::Exact& exact, const NavierStokes& solver) {
 
 }  // namespace
 
-void require_in_mesh(const scene::Scene& scene, const NavierStokes& solver) {
-  const auto check = [&](const char* what, const std::string& name, const std::vector<double>& point) {
+std::vector<Vec2> to_points(const std::vector<double>& coordinates) {
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i + 1 < coordinates.size(); i += 2)
+    points.emplace_back(coordinates[i], coordinates[i + 1]);
+  return points;
+}
+
+Outline outline(const scene::Body& body, double hydraulic_radius_ratio) {
+  const Vec2 position(body.position[0], body.position[1]);
+  if (body.shape == "disc") return Disc{position, body.radius * hydraulic_radius_ratio};
+  Polygon polygon{to_points(body.outline())};
+  for (Vec2& corner : polygon.corners) corner += position;
+  return polygon;
+}
+
+void check_places(const scene::Scene& scene, const Mesh& mesh, const Locator& locator, Findings& findings) {
+  const auto check = [&](const char* list, std::size_t i, const char* key, const std::string& name,
+                         const std::vector<double>& point) {
     if (point.empty()) return;
     const Vec2 x = to_plane(point);
-    require(solver.has(x), "the {} \"{}\" must lie in the mesh; ({:g}, {:g}) m does not: move it", what, name,
-            x.x(), x.y());
+    const std::string where = fmt::format("{}s.{}.{}", list, i, key);
+    if (!locator.find(x))
+      findings.error(where, "the {} \"{}\" must lie in the mesh; ({:g}, {:g}) m does not: move it", list,
+                     name, x.x(), x.y());
+    if (std::string_view(list) != "probe") return;  // a profile may pass through bodies
+    for (const scene::Body& body : scene.bodies) {
+      if (!body.is_plane()) continue;
+      const Outline surface = outline(body, scene.hydraulic_radius_ratio);
+      for (const Vec2& shift : mesh.period.shifts(surface.lower(), surface.upper())) {
+        // A point of the surface itself has a value.
+        if (!(surface.distance(x - shift) < -1e-6 * (surface.upper() - surface.lower()).norm())) continue;
+        findings.warn(
+            where,
+            "the probe \"{}\" at ({:g}, {:g}) m lies in the body \"{}\": it has no value {}; move it "
+            "into the fluid",
+            name, x.x(), x.y(), body.name, body.changes_place() ? "until the body has gone" : "at all");
+      }
+    }
   };
-  for (const scene::Probe& p : scene.probes) {
-    check("probe", p.name, p.point);
-    check("probe", p.name, p.minus);
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
+    check("probe", i, "point", scene.probes[i].name, scene.probes[i].point);
+    check("probe", i, "minus", scene.probes[i].name, scene.probes[i].minus);
   }
-  for (const scene::Profile& p : scene.profiles) {
-    check("profile", p.name, p.from);
-    check("profile", p.name, p.to);
+  for (std::size_t i = 0; i < scene.profiles.size(); ++i) {
+    check("profile", i, "from", scene.profiles[i].name, scene.profiles[i].from);
+    check("profile", i, "to", scene.profiles[i].name, scene.profiles[i].to);
   }
 }
 

@@ -8,8 +8,12 @@
 
 namespace fpi::fluid {
 
-/// Throws Error for a probe or a profile that lies outside the mesh.
-void require_in_mesh(const scene::Scene& scene, const NavierStokes& solver);
+/// Where the scene puts a body, as the fluid sees it.
+Outline outline(const scene::Body& body, double hydraulic_radius_ratio);
+std::vector<Vec2> to_points(const std::vector<double>& coordinates);
+
+/// Errors: each probe and profile outside the mesh. Warnings: each probe in a body.
+void check_places(const scene::Scene& scene, const Mesh& mesh, const Locator& locator, Findings& findings);
 
 /// With every accepted step: probes by name, and "force_x:NAME", "force_y:NAME" [N], "torque:NAME" [N m] of
 /// the boundaries that hold the fluid; "pressure_drop_x", "pressure_drop_y" [Pa/m] and "pressure_at_NAME"

@@ -280,7 +280,8 @@ class Check(Run):
         self.report: dict | None = None
 
     def coupler_command(self) -> list[str]:
-        return [str(program("coupler")), "--check", str(self.request.scene), "--json", "--watch-stdin",
+        return [str(program("coupler")), "--check", str(self.request.scene), "--out", str(self.request.folder),
+                "--json", "--watch-stdin",
                 *set_options(self.request.overrides)]
 
     def hear(self, line: str) -> None:
@@ -288,10 +289,10 @@ class Check(Run):
         word, _, rest = line.partition(" ")
         if word == "plan":
             self.plan = json.loads(rest)
-        elif word == "address":
-            self.start_participants(rest.strip())
         elif word == "report":
             self.report = json.loads(rest)
+        else:
+            super().hear(line)
 
 
 def check(scene: Path, overrides: list[str]) -> dict:

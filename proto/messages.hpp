@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/findings.hpp"
+
 namespace fpi::proto {
 
 inline constexpr std::uint32_t protocol_version = 4;
@@ -71,6 +73,7 @@ struct Configured {
                                          ///< resolve; 0: not said
   std::vector<std::string> notes{};      ///< what is skipped, and why; for the log
   Figures figures{};                     ///< e.g. unknowns
+  std::vector<Finding> findings{};       ///< without their places; after an error nothing else is asked
 };
 
 // ---- a step -------------------------------------------------------------------------------------
@@ -115,6 +118,7 @@ struct FluidAdvance {
   std::vector<Interface> interfaces{};
   bool same_interfaces = false;   ///< they are those of the last accepted step, and none are sent
   bool wants_resistance = false;  ///< of the bodies with a balance; in the first sub-iteration of a step
+  bool rehearsal = false;         ///< nothing is solved: only what would refuse the step is wanted
 };
 /// λ on the arcs or edges of a body, and what it adds up to.
 struct Traction {
@@ -138,7 +142,8 @@ struct FluidAdvanced {
   /// By rows, how force x, y and torque go with velocity x, y and spin at the end of the step, of all bodies
   /// with a balance, mass/Δt included [kg/s, kg m/s, kg m²/s]; empty: not wanted, or not known.
   std::vector<double> resistance{};
-  double speed = 0;  ///< [m/s] root mean square of the fluid's velocity; 0: not said
+  double speed = 0;                 ///< [m/s] root mean square of the fluid's velocity; 0: not said
+  std::vector<Finding> findings{};  ///< of a rehearsal
 };
 
 /// What a body feels besides gravity and contact.
@@ -179,6 +184,7 @@ struct Accept {
 /// boundary as "force_x:NAME", "force_y:NAME" [N].
 struct Accepted {
   Figures figures{};
+  std::vector<Finding> findings{};  ///< each once in a run
 };
 struct Restore {};
 struct Restored {};

@@ -122,14 +122,21 @@ scene::Body body_of(const scene::Grains& group, std::size_t number, const Row& r
 
 }  // namespace
 
-void expand(scene::Scene& scene, const Content& content) {
-  for (scene::Grains& group : scene.grains) {
-    const std::vector<Row> rows = rows_of(group, scene, content);
-    for (const Row& row : rows) scene.bodies.push_back(body_of(group, group.count++, row));
-  }
-  check_start(scene);
-  check_outlets(scene);
+Findings place(scene::Scene& scene, const Content& content) {
+  Findings findings;
+  for (std::size_t g = 0; g < scene.grains.size(); ++g)
+    findings.attempt(fmt::format("grains.{}", g), [&] {
+      scene::Grains& group = scene.grains[g];
+      const std::vector<Row> rows = rows_of(group, scene, content);
+      for (const Row& row : rows) scene.bodies.push_back(body_of(group, group.count++, row));
+    });
+  if (findings.has_errors()) return findings;
+  findings.append(start_findings(scene).all());
+  findings.attempt("outlets", [&] { check_outlets(scene); });
+  return findings;
 }
+
+void expand(scene::Scene& scene, const Content& content) { place(scene, content).raise(); }
 
 std::vector<std::string> describe(const scene::Scene& scene) {
   std::vector<std::string> lines;

@@ -1,6 +1,7 @@
 /// Whether the bodies can be where the scene puts them at the start.
 #pragma once
 
+#include "core/findings.hpp"
 #include "grains/sphere.hpp"
 #include "scene/scene.hpp"
 
@@ -10,8 +11,8 @@ namespace fpi::grains {
 /// centre.
 Sphere sphere_around(const scene::Body& body);
 
-/// Throws Error naming a free body whose centre is outside the rectangle of fluid or the periodic cell, or a
-/// free one and another that overlap by more than dem.start_overlap.
-void check_start(const scene::Scene& scene);
+/// Errors: each free body whose centre is outside the rectangle of fluid or the periodic cell, and each free
+/// one that overlaps another by more than dem.start_overlap. Warnings: bodies that are not free and do.
+Findings start_findings(const scene::Scene& scene);
 
 }  // namespace fpi::grains

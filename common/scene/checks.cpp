@@ -143,6 +143,7 @@ bool is_rectangle(const Mesh& mesh) {
 /// The sides of a rectangle that lie in the planes across a periodic axis are no boundaries.
 void check_periodic_rectangle(const Scene& scene, int axis, ParameterVisitor& v) {
   const Mesh& mesh = scene.fluid->mesh;
+  if (mesh.lower.size() != 2 || mesh.upper.size() != 2) return;  // no rectangle: the mesh tells of it
   v.require(
       scene.periodic.along(axis) == std::vector{mesh.lower[axis], mesh.upper[axis]},
       axis == 0 ? "periodic.x" : "periodic.y",
@@ -159,13 +160,14 @@ void check_periods(const Scene& scene, ParameterVisitor& v) {
   v.require(
       scene.fluid->superficial_velocity.empty() || !scene.periodic.x.empty() || !scene.periodic.y.empty(),
       "fluid.superficial_velocity", "goes with [periodic] only: give a boundary a flow_rate");
+  const auto& superficial = scene.fluid->superficial_velocity;
+  if (superficial.size() == 1) return;  // the fluid tells of it
   for (const int axis : {0, 1}) {
     const bool periodic = !scene.periodic.along(axis).empty();
     v.require(periodic || scene.fluid->pressure_drop[axis] == "0", "fluid.pressure_drop",
               fmt::format("must be 0 along {}, which is not periodic: give [periodic], or a traction at the "
                           "boundary",
                           axis == 0 ? "x" : "y"));
-    const auto& superficial = scene.fluid->superficial_velocity;
     v.require(periodic || superficial.size() != 2 || superficial[axis] == "0", "fluid.superficial_velocity",
               fmt::format("must be 0 along {}, which is not periodic: give [periodic], or a flow_rate at the "
                           "boundary",

@@ -10,24 +10,39 @@
 #include "core/number.hpp"
 #include "core/read_file.hpp"
 #include "scene/document.hpp"
-#include "scene/scene.hpp"
+#include "scene/reading.hpp"
 #include "scene/toml_text.hpp"
 
 namespace fpi::scene {
 namespace {
 
-/// Walks the declarations beside the document. Goes on after a problem, so that every unknown key is found;
-/// of the other problems only the first is told, as the later ones may follow from it.
+/// What is found under a key; a single table stands for a list of one.
+const Node* part_of(const Node& node, const std::string& key) {
+  const Node* found = node.find(key);
+  return found == nullptr && key == "0" && node.as<Node::Table>() ? &node : found;
+}
+
+/// Whether one dotted key is the other, or a table around it.
+bool is_within(std::string_view key, std::string_view table) {
+  return key.starts_with(table) && (key.size() == table.size() || key[table.size()] == '.');
+}
+
+/// Walks the declarations beside the document. Goes on after a problem, so that all are found, but for those
+/// that only follow from one told before.
 class Reader : public ParameterVisitor {
  public:
   explicit Reader(const Node& root) { frames_.push_back({&root, root.place, "", {}, false}); }
 
-  /// Throws Error with all unknown keys, or else the first problem of another kind.
-  void finish() {
+  /// All problems, by file and line.
+  Findings finish() {
     report_unknown_keys();
-    if (!unknown_.empty()) fail("{}", fmt::join(unknown_, "\n"));
-    if (!problem_.empty()) fail("{}", problem_);
+    std::erase_if(problems_.all(), [this](const Finding& problem) { return is_misspelt(problem.key); });
+    problems_.append(unknown_);
+    problems_.sort();
+    return std::move(problems_);
   }
+  /// Whether nothing but unknown keys is wrong.
+  bool has_all_values() const { return !problems_.has_errors(); }
 
   void real(const Parameter& p, double& value, Bounds bounds) override {
     if (const Node* node = get(p, number_text(p, bounds))) take_real(p, *node, p.key, value, bounds);
@@ -93,24 +108,25 @@ class Reader : public ParameterVisitor {
   }
 
   void require(bool condition, std::string_view key, std::string_view required) override {
-    if (condition || !problem_.empty()) return;
+    if (condition || follows_from_another(path(key))) return;
     const Node* node = frame().table;
     std::string place = frame().place;
     for (const std::string& part : split_key(std::string(key))) {
       node = node == nullptr ? nullptr : part_of(*node, part);
       if (node != nullptr) place = node->place;
     }
-    problem_ = fmt::format("{}: {} {}; got {}", place, path(key), required,
-                           node == nullptr ? "nothing" : node->quoted());
+    problems_.add({.key = path(key),
+                   .text = fmt::format("{} {}; got {}", path(key), required,
+                                       node == nullptr ? "nothing" : node->quoted()),
+                   .place = place});
   }
 
  protected:
   bool begin_table(const Parameter& p, bool exists) override {
     const Node* node = find(p);
-    if (node == nullptr && p.required && problem_.empty()) {
-      problem_ = fmt::format("{}: the table [{}] is required; got nothing: add it ({})", frame().place,
-                             path(p.key), p.text);
-    }
+    if (node == nullptr && p.required)
+      tell(path(p.key), frame().place,
+           fmt::format("the table [{}] is required; got nothing: add it ({})", path(p.key), p.text));
     if (node == nullptr && !exists) return false;
     enter(p, node, p.key);
     return true;
@@ -154,12 +170,6 @@ class Reader : public ParameterVisitor {
     bool any_key = false;            ///< the user names the keys
   };
 
-  /// What is found under a key; a single table stands for a list of one.
-  static const Node* part_of(const Node& node, const std::string& key) {
-    const Node* found = node.find(key);
-    return found == nullptr && key == "0" && node.as<Node::Table>() ? &node : found;
-  }
-
   Frame& frame() { return frames_.back(); }
 
   std::string path(std::string_view key) {
@@ -186,17 +196,40 @@ class Reader : public ParameterVisitor {
     for (const auto& [key, node] : *frame().table->as<Node::Table>()) {
       if (std::ranges::find(frame().known, key) != frame().known.end()) continue;
       const std::string near = did_you_mean(key, frame().known);
-      unknown_.push_back(fmt::format("{}: the key \"{}\" is not known; {}", node.place, path(key),
-                                     near.empty()
-                                         ? fmt::format("known here: {}", fmt::join(frame().known, ", "))
-                                         : fmt::format("did you mean \"{}\"?", near)));
+      unknown_.push_back(
+          {.key = path(key),
+           .text = fmt::format("the key \"{}\" is not known; {}", path(key),
+                               near.empty() ? fmt::format("known here: {}", fmt::join(frame().known, ", "))
+                                            : fmt::format("did you mean \"{}\"?", near)),
+           .place = node.place});
+      if (!near.empty()) meant_.push_back(path(near));
     }
   }
 
+  /// Whether a value is missed only since its key, or that of its table, is misspelt.
+  bool is_misspelt(const std::string& key) const {
+    return std::ranges::any_of(meant_, [&](const std::string& meant) { return is_within(key, meant); });
+  }
+  /// Whether something is told of this key already, or, for a condition between values of one table, of any
+  /// of that table.
+  bool follows_from_another(const std::string& key) {
+    return std::ranges::any_of(problems_.all(), [&](const Finding& told) {
+      return is_within(key, told.key) || is_within(told.key, key) ||
+             (!frame().path.empty() && is_within(told.key, frame().path));
+    });
+  }
+  /// Of a value by itself.
+  void tell(const std::string& key, const std::string& place, std::string text) {
+    const auto is_told = [&](const Finding& told) {
+      return is_within(key, told.key) || is_within(told.key, key);
+    };
+    if (std::ranges::any_of(problems_.all(), is_told)) return;
+    problems_.add({.key = key, .text = std::move(text), .place = place});
+  }
+
   void refuse(const Parameter& p, const Node& node, std::string_view key, std::string_view required) {
-    if (!problem_.empty()) return;
-    problem_ = fmt::format("{}: {} must be {}; got {}: correct it ({})", node.place, path(key), required,
-                           node.quoted(), p.text);
+    tell(path(key), node.place,
+         fmt::format("{} must be {}; got {}: correct it ({})", path(key), required, node.quoted(), p.text));
   }
 
   /// The document's value of p, noting that p is a known key.
@@ -207,10 +240,10 @@ class Reader : public ParameterVisitor {
   /// The same; a required one must be there.
   const Node* get(const Parameter& p, const std::string& required) {
     const Node* node = find(p);
-    if (node == nullptr && p.required && problem_.empty()) {
-      problem_ = fmt::format("{}: {} is required, {}; got nothing: add {} = … ({})", frame().place,
-                             path(p.key), required, p.key, p.text);
-    }
+    if (node == nullptr && p.required)
+      tell(path(p.key), frame().place,
+           fmt::format("{} is required, {}; got nothing: add {} = … ({})", path(p.key), required, p.key,
+                       p.text));
     return node;
   }
 
@@ -257,7 +290,7 @@ class Reader : public ParameterVisitor {
       value = Expression(*node.as<std::string>()).formula();
       return true;
     } catch (const Error& e) {
-      if (problem_.empty()) problem_ = fmt::format("{}: {}: {}", node.place, path(key), e.what());
+      tell(path(key), node.place, fmt::format("{}: {}", path(key), e.what()));
       return false;
     }
   }
@@ -294,8 +327,9 @@ class Reader : public ParameterVisitor {
   }
 
   std::vector<Frame> frames_;
-  std::vector<std::string> unknown_;
-  std::string problem_;
+  std::vector<Finding> unknown_;
+  std::vector<std::string> meant_;  ///< keys that unknown ones stand for, by their look
+  Findings problems_;
 };
 
 std::string read_bytes(const std::string& path) {
@@ -305,14 +339,36 @@ std::string read_bytes(const std::string& path) {
 
 }  // namespace
 
+std::string Reading::place_of(const std::string& key) const {
+  const Node* node = document.get();
+  std::string place = document->place;
+  for (const std::string& part : split_key(key)) {
+    node = node == nullptr ? nullptr : part_of(*node, part);
+    if (node != nullptr) place = node->place;
+  }
+  return place;
+}
+
+Reading read_all(const std::string& path, const std::vector<std::string>& overrides) {
+  return read_all(read_bytes(path), path, overrides);
+}
+
+Reading read_all(const std::string& text, const std::string& name,
+                 const std::vector<std::string>& overrides) {
+  Reading reading;
+  reading.document = std::make_shared<const Node>(parse_document(text, name, overrides));
+  Reader reader(*reading.document);
+  reading.scene.declare(reader);
+  reading.has_all_values = reader.has_all_values();
+  reading.findings = reader.finish();
+  if (reading.scene.moves_freely() && !reading.scene.dem) reading.scene.dem.emplace();
+  return reading;
+}
+
 Scene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
-  const Node root = parse_document(text, name, overrides);
-  Scene scene;
-  Reader reader(root);
-  scene.declare(reader);
-  reader.finish();
-  if (scene.moves_freely() && !scene.dem) scene.dem.emplace();
-  return scene;
+  Reading reading = read_all(text, name, overrides);
+  reading.findings.raise();
+  return std::move(reading.scene);
 }
 
 Scene read_file(const std::string& path, const std::vector<std::string>& overrides) {

@@ -1,6 +1,7 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/hash.hpp"
 #include "scene/checks.hpp"
@@ -88,14 +89,22 @@ Scene part_of(Part part, const Scene& scene) {
   return p;
 }
 
+std::vector<std::pair<std::string, std::string*>> file_keys(Scene& scene) {
+  std::vector<std::pair<std::string, std::string*>> keys;
+  const auto add = [&keys](std::string key, std::string& name) {
+    if (!name.empty()) keys.emplace_back(std::move(key), &name);
+  };
+  if (scene.fluid) add("fluid.mesh.file", scene.fluid->mesh.file);
+  for (std::size_t i = 0; i < scene.grains.size(); ++i)
+    add("grains." + std::to_string(i) + ".file", scene.grains[i].file);
+  for (std::size_t i = 0; i < scene.walls.size(); ++i)
+    add("walls." + std::to_string(i) + ".file", scene.walls[i].file);
+  return keys;
+}
+
 std::vector<std::string*> file_names(Scene& scene) {
   std::vector<std::string*> names;
-  const auto add = [&names](std::string& name) {
-    if (!name.empty()) names.push_back(&name);
-  };
-  if (scene.fluid) add(scene.fluid->mesh.file);
-  for (Grains& group : scene.grains) add(group.file);
-  for (Wall& wall : scene.walls) add(wall.file);
+  for (const auto& [key, name] : file_keys(scene)) names.push_back(name);
   return names;
 }
 

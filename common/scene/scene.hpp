@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/bodies.hpp"
@@ -229,7 +230,9 @@ Scene read_text(const std::string& text, const std::string& name,
 std::string write_text(const Scene& scene);
 /// The scene without what concerns the other role only.
 Scene part_of(Part part, const Scene& scene);
-/// The keys that name files, those left empty apart: the contents go beside the scene.
+/// The keys that name files, those left empty apart, with what they name: the contents go beside the scene.
+std::vector<std::pair<std::string, std::string*>> file_keys(Scene& scene);
+/// What they name.
 std::vector<std::string*> file_names(Scene& scene);
 /// FNV-1a hash of `write_text`, but for what has no bearing on the result: texts for the reader, who starts
 /// the programs, and wall times.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/expression.hpp"
+#include "core/findings.hpp"
 #include "fluid/components.hpp"
 #include "scene/fluid.hpp"
 
@@ -24,12 +25,12 @@ struct Cover {
 /// How much of a node's velocity is given.
 enum class Constraint : std::uint8_t { none, normal, both };
 
-/// Throws Error for a part of the mesh without a condition, or a condition for a part that is not there.
-void require_conditions(const Mesh& mesh, const std::map<std::string, scene::Boundary>& conditions);
+/// Errors: each condition for a part that the mesh does not have, and each part without a condition.
+Findings unmatched(const Mesh& mesh, const std::map<std::string, scene::Boundary>& conditions);
 
 class Boundary {
  public:
-  /// Throws what require_conditions throws.
+  /// Throws Error with what is unmatched.
   Boundary(const Mesh& mesh, const std::map<std::string, scene::Boundary>& conditions);
 
   Constraint constraint(Index node) const { return constraint_[node]; }
@@ -53,9 +54,13 @@ class Boundary {
     double net = 0, gross = 0, reach = 0;
   };
   Flux flux(const Vector& u) const;
+  /// True where fluid has a way out through no part.
+  bool is_closed() const;
   /// Throws Error where fluid flows in or out (more than 1 % net) although no part is open: nowhere for it to
   /// go.
   void check_net_flux(double t, const Vector& u) const;
+  /// A sentence with the numbers where it is less, but more than round-off; else "".
+  std::string doubtful_net_flux(double t, const Vector& u) const;
 
   /// True for a part on which the normal velocity is free, so that the pressure level is known.
   bool is_open(Index boundary) const { return parts_[boundary].type == Type::traction; }

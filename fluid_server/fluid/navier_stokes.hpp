@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/findings.hpp"
 #include "fluid/boundary_traction.hpp"
 #include "fluid/exact.hpp"
 #include "fluid/force_balance.hpp"
@@ -16,6 +17,7 @@
 #include "fluid/kept_factor.hpp"
 #include "fluid/motion.hpp"
 #include "fluid/percolation.hpp"
+#include "fluid/resolution.hpp"
 #include "fluid/state.hpp"
 #include "fluid/volume_balance.hpp"
 
@@ -68,6 +70,9 @@ class NavierStokes {
   Result advance(const Request& request);
   void accept();
   void restore();
+  /// What would keep the first step from being taken, or is doubtful in it, found without solving anything:
+  /// cut geometry, numbering, formulas, what holds the fluid, what flows into parts of it that are closed.
+  Findings rehearse(const Request& request);
 
   const Mesh& mesh() const { return space_.mesh; }
   const State& state() const { return accepted_; }
@@ -112,6 +117,15 @@ class NavierStokes {
   /// Of the accepted flow; none before a step, or while another is tried.
   std::optional<ForceBalance> force_balance();
   std::optional<VolumeBalance> volume_balance() const;
+  /// How finely mesh and step resolve what is given before the first step: the initial flow and, over a run
+  /// until `end` [s] in steps of `time_step` [s], the velocities of boundaries.
+  Resolution given_resolution(double end, double time_step) const;
+  /// The same of the accepted flow and its step.
+  Resolution resolution() const;
+  /// "", or what is doubtful in the flow through boundaries none of which is open.
+  std::string doubtful_net_flux() const {
+    return space_.boundary.doubtful_net_flux(accepted_.time, accepted_.u);
+  }
   /// What the accepted flow took to be as it is given: "pressure_drop_x" [Pa/m], "pressure_at_BOUNDARY" [Pa].
   std::map<std::string, double> found_drives() const;
   /// How large the mesh is and what this scene does not need, as sentences.
@@ -136,6 +150,7 @@ class NavierStokes {
   NewtonResult solve_step(const Request& request);
   std::vector<BodyTraction> tractions() const;
   void check_held(bool steady) const;
+  std::vector<double> times_asked_for(const Request& request) const;
   Vec2 body_velocity(const CoveredNode& covered) const;
   void measure_boundaries();
 

@@ -51,7 +51,7 @@ Mesh scene_mesh(const scene::Fluid& fluid, const scene::Periodic& periodic, std:
     for (const scene::Circle& circle : parameters.circles)
       fit_circle(mesh, circle.boundary, {circle.centre[0], circle.centre[1]}, circle.radius);
     make_periodic(mesh, sides);
-    require_conditions(mesh, fluid.boundaries);
+    unmatched(mesh, fluid.boundaries).raise();
   });
   return mesh;
 }

@@ -1,5 +1,8 @@
 #include "fluid/volume_balance.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "fluid/arc_points.hpp"
 
 namespace fpi::fluid {
@@ -38,6 +41,43 @@ double VolumeBalance::rest() const {
   double sum = 0;
   for (const Term& term : terms) sum += term.inflow;
   return sum;
+}
+
+std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
+  const Space& space = system.space();
+  const Components& components = system.components();
+  const std::vector<Outline> bodies = outlines(system.cut().images);
+  std::vector<PartInflow> parts(components.n());
+  const std::vector<std::uint8_t> open = space.boundary.open_components(components);
+  for (Index part = 0; part < components.n(); ++part) {
+    parts[part].is_given = open[part] == 0;
+    std::vector<Index> sides = components.of_boundary;
+    for (Index& side : sides) side = side == part ? part : -1;
+    if (std::ranges::all_of(sides, [](Index side) { return side < 0; })) parts[part].is_given = false;
+    if (!parts[part].is_given) continue;  // a pore between bodies, too: it is let go
+    for (Index b = 0; b < static_cast<Index>(space.mesh.boundary_names.size()); ++b) {
+      Vector inward = Vector::Zero(u.size());
+      space.boundary.add_pressure(b, {bodies, sides}, inward);
+      const double inflow = inward.dot(u);
+      parts[part].net += inflow;
+      parts[part].gross += std::abs(inflow);
+    }
+  }
+  for (const ArcPiece& piece : system.cut().pieces) {
+    const Index number = components.of_cell[piece.cell];
+    if (number < 0) continue;
+    PartInflow& part = parts[number];
+    const Interface& interface = system.interfaces()[piece.interface];
+    if (interface.balance) part.is_given = false;
+    if (!part.is_given) continue;
+    for (const ArcPoint& point : arc_points(space, interface, piece)) {
+      const double inflow =
+          point.weight * normal(interface.outline, point).dot(interface.velocity(piece.arc, point.parameter));
+      part.net += inflow;
+      part.gross += std::abs(inflow);
+    }
+  }
+  return parts;
 }
 
 VolumeBalance volume_balance(const System& system, const Vector& u) {

@@ -25,4 +25,13 @@ struct VolumeBalance {
 /// Of the flow u [m/s] in which bodies move as the interfaces of the system say.
 VolumeBalance volume_balance(const System& system, const Vector& u);
 
+/// Of each part of the fluid: what comes in through its closed sides and what bodies push ahead of them,
+/// where these have the velocities u [m/s] and of the interfaces; at open boundaries, and at bodies that the
+/// fluid moves, it says nothing [m²/s].
+struct PartInflow {
+  double net = 0, gross = 0;
+  bool is_given = true;  ///< no open boundary, no body that the fluid moves
+};
+std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u);
+
 }  // namespace fpi::fluid

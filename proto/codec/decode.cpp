@@ -108,6 +108,9 @@ Load unpack(Reader& r, const wire::Load* w) {
           w->added_mass(),     w->added_inertia()};
 }
 File unpack(Reader& r, const wire::File* w) { return {r.text(w->name()), r.numbers(w->bytes())}; }
+Finding unpack(Reader& r, const wire::Finding* w) {
+  return {.is_error = w->is_error(), .key = r.text(w->key()), .text = r.text(w->text())};
+}
 Field unpack(Reader& r, const wire::Field* w) {
   return {r.text(w->name()), w->on_cells(), w->components(), r.numbers(w->values())};
 }
@@ -135,15 +138,17 @@ Configure unpack(Reader& r, const wire::Configure* w) {
   return {r.text(w->scene()), r.list(w->files()), r.numbers(w->state())};
 }
 Configured unpack(Reader& r, const wire::Configured* w) {
-  return {r.list(w->arc_lengths()), w->resolved_gap_ratio(), r.list(w->notes()), r.list(w->figures())};
+  return {r.list(w->arc_lengths()), w->resolved_gap_ratio(), r.list(w->notes()), r.list(w->figures()),
+          r.list(w->findings())};
 }
 FluidAdvance unpack(Reader& r, const wire::FluidAdvance* w) {
-  return {w->time(), w->time_step(), r.list(w->interfaces()), w->same_interfaces(), w->wants_resistance()};
+  return {w->time(),     w->time_step(), r.list(w->interfaces()), w->same_interfaces(), w->wants_resistance(),
+          w->rehearsal()};
 }
 FluidAdvanced unpack(Reader& r, const wire::FluidAdvanced* w) {
-  return {w->converged(), r.text(w->reason()), r.list(w->tractions()), w->newton_iterations(),
-          w->residual(),  w->time_error(),     w->time_error_order(),  r.numbers(w->resistance()),
-          w->speed()};
+  return {w->converged(), r.text(w->reason()),  r.list(w->tractions()), w->newton_iterations(),
+          w->residual(),  w->time_error(),      w->time_error_order(),  r.numbers(w->resistance()),
+          w->speed(),     r.list(w->findings())};
 }
 DemAdvance unpack(Reader& r, const wire::DemAdvance* w) {
   return {w->time(),
@@ -159,7 +164,7 @@ DemAdvanced unpack(Reader& r, const wire::DemAdvanced* w) {
           w->sub_steps(), r.numbers(w->contacts()), w->largest_overlap()};
 }
 Accept unpack(Reader& r, const wire::Accept* w) { return {r.numbers(w->left())}; }
-Accepted unpack(Reader& r, const wire::Accepted* w) { return {r.list(w->figures())}; }
+Accepted unpack(Reader& r, const wire::Accepted* w) { return {r.list(w->figures()), r.list(w->findings())}; }
 Write unpack(Reader&, const wire::Write* w) { return {w->mesh()}; }
 Fields unpack(Reader& r, const wire::Fields* w) {
   return {w->time(),           r.numbers(w->points()),  r.numbers(w->cells()),

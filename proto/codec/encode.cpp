@@ -57,6 +57,9 @@ auto pack(Builder& b, const Load& m) {
   return wire::CreateLoad(b, m.body, &force, &torque, numbers(b, m.start), numbers(b, m.end),
                           numbers(b, m.tractions), &v, &w, m.added_mass, m.added_inertia);
 }
+auto pack(Builder& b, const Finding& m) {
+  return wire::CreateFinding(b, m.is_error, text(b, m.key), text(b, m.text));
+}
 auto pack(Builder& b, const Field& m) {
   return wire::CreateField(b, text(b, m.name), m.on_cells, m.components, numbers(b, m.values));
 }
@@ -96,16 +99,16 @@ auto pack(Builder& b, const Configure& m) {
 }
 auto pack(Builder& b, const Configured& m) {
   return wire::CreateConfigured(b, list(b, m.arc_lengths), m.resolved_gap_ratio, list(b, m.notes),
-                                list(b, m.figures));
+                                list(b, m.figures), list(b, m.findings));
 }
 auto pack(Builder& b, const FluidAdvance& m) {
   return wire::CreateFluidAdvance(b, m.time, m.time_step, list(b, m.interfaces), m.same_interfaces,
-                                  m.wants_resistance);
+                                  m.wants_resistance, m.rehearsal);
 }
 auto pack(Builder& b, const FluidAdvanced& m) {
   return wire::CreateFluidAdvanced(b, m.converged, text(b, m.reason), list(b, m.tractions),
                                    m.newton_iterations, m.residual, m.time_error, m.time_error_order,
-                                   numbers(b, m.resistance), m.speed);
+                                   numbers(b, m.resistance), m.speed, list(b, m.findings));
 }
 auto pack(Builder& b, const DemAdvance& m) {
   return wire::CreateDemAdvance(b, m.time, m.time_step, list(b, m.loads), list(b, m.prescribed),
@@ -116,7 +119,9 @@ auto pack(Builder& b, const DemAdvanced& m) {
                                  numbers(b, m.contacts), m.largest_overlap);
 }
 auto pack(Builder& b, const Accept& m) { return wire::CreateAccept(b, numbers(b, m.left)); }
-auto pack(Builder& b, const Accepted& m) { return wire::CreateAccepted(b, list(b, m.figures)); }
+auto pack(Builder& b, const Accepted& m) {
+  return wire::CreateAccepted(b, list(b, m.figures), list(b, m.findings));
+}
 auto pack(Builder& b, const Restore&) { return wire::CreateRestore(b); }
 auto pack(Builder& b, const Restored&) { return wire::CreateRestored(b); }
 auto pack(Builder& b, const Write& m) { return wire::CreateWrite(b, m.mesh); }

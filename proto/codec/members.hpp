@@ -52,11 +52,18 @@ template <>
 inline constexpr auto members_of<ArcLength> =
     std::tuple{member("body", &ArcLength::body), member("length", &ArcLength::length)};
 template <>
+inline constexpr auto members_of<Finding> = std::tuple{
+    member("is_error", &Finding::is_error),
+    member("key", &Finding::key),
+    member("text", &Finding::text),
+};
+template <>
 inline constexpr auto members_of<Configured> = std::tuple{
     member("arc_lengths", &Configured::arc_lengths),
     member("resolved_gap_ratio", &Configured::resolved_gap_ratio),
     member("notes", &Configured::notes),
     member("figures", &Configured::figures),
+    member("findings", &Configured::findings),
 };
 template <>
 inline constexpr auto members_of<Motion> = std::tuple{
@@ -94,6 +101,7 @@ inline constexpr auto members_of<FluidAdvance> = std::tuple{
     member("interfaces", &FluidAdvance::interfaces),
     member("same_interfaces", &FluidAdvance::same_interfaces),
     member("wants_resistance", &FluidAdvance::wants_resistance),
+    member("rehearsal", &FluidAdvance::rehearsal),
 };
 template <>
 inline constexpr auto members_of<Traction> = std::tuple{
@@ -118,6 +126,7 @@ inline constexpr auto members_of<FluidAdvanced> = std::tuple{
     member("time_error_order", &FluidAdvanced::time_error_order),
     member("resistance", &FluidAdvanced::resistance),
     member("speed", &FluidAdvanced::speed),
+    member("findings", &FluidAdvanced::findings),
 };
 template <>
 inline constexpr auto members_of<Load> = std::tuple{
@@ -151,7 +160,10 @@ inline constexpr auto members_of<DemAdvanced> = std::tuple{
 template <>
 inline constexpr auto members_of<Accept> = std::tuple{member("left", &Accept::left)};
 template <>
-inline constexpr auto members_of<Accepted> = std::tuple{member("figures", &Accepted::figures)};
+inline constexpr auto members_of<Accepted> = std::tuple{
+    member("figures", &Accepted::figures),
+    member("findings", &Accepted::findings),
+};
 template <>
 inline constexpr auto members_of<Write> = std::tuple{member("mesh", &Write::mesh)};
 template <>

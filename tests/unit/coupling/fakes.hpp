@@ -33,6 +33,7 @@ class FakeFluid : public proto::FluidParticipant {
   double stiffness = 0;       ///< [1/s³] error in time over Δt³; 0: it says none
   std::size_t missing_tractions = 0;
   bool has_fields = true;
+  std::vector<Finding> findings;  ///< of the scene
 
   std::vector<proto::FluidAdvance> asked;
   std::vector<proto::Stamp> stamps;
@@ -43,6 +44,7 @@ class FakeFluid : public proto::FluidParticipant {
     velocities_.resize(bodies_in(message.scene));
     proto::Configured configured;
     for (std::uint32_t i = 0; i < velocities_.size(); ++i) configured.arc_lengths.push_back({i, arc_length});
+    configured.findings = findings;
     return configured;
   }
 

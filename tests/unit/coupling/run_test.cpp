@@ -293,6 +293,39 @@ TEST_F(RunTest, an_arc_length_that_is_not_positive_is_an_error) {
   EXPECT_THROW(run.start({}), Error);
 }
 
+TEST_F(RunTest, errors_among_the_findings_of_the_fluid_end_the_run_before_its_first_step_with_all_of_them) {
+  fluid.findings = {{true, "probes.0", "the probe is outside"},
+                    {false, "probes.1", "the probe is doubtful"},
+                    {true, "bodies.0", "the body is outside"}};
+  const scene::Scene scene = make_scene({disc("a", "free")});
+  CoupledRun run = make_run(scene);
+  try {
+    run.start({});
+    FAIL() << "it started";
+  } catch (const Error& e) {
+    EXPECT_STREQ(e.what(), "the probe is outside\nthe body is outside");
+  }
+  EXPECT_TRUE(fluid.asked.empty());
+}
+
+TEST_F(RunTest, a_rehearsal_sends_the_first_message_of_a_run_and_nothing_else) {
+  const scene::Scene scene = make_scene({disc("a", "free"), disc("b", "prescribed")});
+  Simulation rehearsed(scene, {&fluid, &dem}, 1);
+  rehearsed.configure({}, {});
+  rehearsed.rehearse(0.1, 0.1);
+  ASSERT_EQ(fluid.asked.size(), 1u);
+  proto::FluidAdvance asked = fluid.asked[0];
+  EXPECT_TRUE(asked.rehearsal);
+  FakeFluid other;
+  FakeDem grains = new_dem();
+  Simulation taken(scene, {&other, &grains}, 1);
+  taken.configure({}, {});
+  taken.attempt(0, 0.1, 0.1);
+  EXPECT_EQ(asked.interfaces, other.asked.at(0).interfaces);
+  EXPECT_EQ(asked.time, other.asked[0].time);
+  EXPECT_FALSE(other.asked[0].rehearsal);
+}
+
 TEST(Statistics, means_leave_out_the_first_five_steps) {
   Statistics statistics;
   const auto add = [&statistics](std::uint32_t sub_iterations) {

@@ -56,19 +56,21 @@ std::vector<Envelope> all() {
   fields.profiles = {{"middle", {0, 1, 2}, {}, 1, {7}}};
   fields.tables = {{"sections", {"x", "pressure"}, {0, 1, 2, 3}}};
 
+  const std::vector<Finding> findings{{true, "bodies.0", "a body outside"}, {false, "", "a warning"}};
+
   const std::vector<Message> messages{
       Hello{3, "fluid", "toy", "0.1.0", {"checkpoint", "fields"}, 0xffffffffffffffff, 7},
       Welcome{0xfedcba9876543210, 0.25, 40},
       Refusal{"the role is taken"},
       Configure{"[fluid]\ndensity = 1 # µ\n", {{"channel.msh", {1, 2, 3, 255}}}, {9, 8}},
-      Configured{{{0, 0.1}, {1, 0.2}}, 0.01, {"no convection", "one factor"}, figures},
-      FluidAdvance{0.3, 0.1, {arcs(), outline()}, false, true},
-      FluidAdvanced{true, "well", {traction, traction}, 4, 1e-9, 2e-4, 3, {1, 2, 3, 4}, 0.7},
+      Configured{{{0, 0.1}, {1, 0.2}}, 0.01, {"no convection", "one factor"}, figures, findings},
+      FluidAdvance{0.3, 0.1, {arcs(), outline()}, false, true, true},
+      FluidAdvanced{true, "well", {traction, traction}, 4, 1e-9, 2e-4, 3, {1, 2, 3, 4}, 0.7, findings},
       DemAdvance{
           0.3, 0.1, {load}, {motion(), motion()}, {0.01, 0.02}, {motion()}, std::vector<double>(9, 0.5)},
       DemAdvanced{true, "well", {motion()}, 50, {2}, 1e-6},
       Accept{{3, 7}},
-      Accepted{figures},
+      Accepted{figures, findings},
       Restore{},
       Restored{},
       Write{true},

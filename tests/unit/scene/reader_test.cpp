@@ -1,6 +1,7 @@
 /// Reading a scene: values, defaults, and the wording of each kind of error.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -56,6 +57,32 @@ TEST(Reader, finds_every_unknown_key_and_suggests_the_near_ones) {
             "drop.toml:12: the key \"fluid.mehs\" is not known; did you mean \"mesh\"?\n"
             "drop.toml:38: the key \"walls.0.colour\" is not known; known here: name, shape, point, "
             "normal, vertices, closed, centre, radius, start, end, file, scale, velocity, spin, material");
+}
+
+TEST(Reader, tells_every_problem_by_line_and_none_that_only_follows_from_another) {
+  std::string text = with(settling, "density = 1000", "densty = 1000");  // so that a density is missed
+  text = with(text, "step = 0.001", "step = -1");                        // so that none is > 0
+  text = with(text, "youngs_modulus = 1e6", "youngs_modulus = \"soft\"");
+  const std::string told = error_of(text + "[[probes]]\nname = \"time\"\npoint = [0, 0]\n");
+  EXPECT_EQ(std::ranges::count(told, '\n'), 3) << told;
+  EXPECT_EQ(told.find("drop.toml:5: time.step must be a finite number ≥ 0 s; got -1"), 0u) << told;
+  const std::size_t density = told.find("\ndrop.toml:9: the key \"fluid.densty\" is not known"),
+                    modulus = told.find("\ndrop.toml:32: materials.0.youngs_modulus must be"),
+                    probe = told.find("\ndrop.toml:39: probes.0.name must not be the name of another column");
+  EXPECT_TRUE(0 < density && density < modulus && modulus < probe && probe != std::string::npos) << told;
+}
+
+TEST(Reader, refuses_a_periodic_rectangle_without_a_corner_and_half_a_superficial_velocity) {
+  const std::string periodic = "[periodic]\nx = [0, 1]\n";
+  const std::size_t corner = settling.find("lower = "), end = settling.find('\n', corner);
+  std::string text = settling + periodic;
+  text.erase(corner, end - corner + 1);
+  EXPECT_NE(error_of(text).find("fluid.mesh.lower must name a mesh, or else"), std::string::npos)
+      << error_of(text);
+  const std::string half = with(settling, "density = 1000", "density = 1000\nsuperficial_velocity = [\"1\"]");
+  EXPECT_NE(error_of(half).find("fluid.superficial_velocity must be two formulas or empty"),
+            std::string::npos)
+      << error_of(half);
 }
 
 TEST(Reader, finds_an_unknown_table) {
