@@ -1,10 +1,12 @@
 # fpi::options: what every target of ours is compiled with.
 add_library(fpi_options INTERFACE)
 add_library(fpi::options ALIAS fpi_options)
-target_compile_options(fpi_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
-  -Woverloaded-virtual -Werror
-  # g++ 12 reports these falsely inside fmt's and Eigen's inlined headers.
-  -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized -Wno-uninitialized)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(fpi_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+    -Woverloaded-virtual -Werror
+    # g++ 12 reports these falsely inside fmt's and Eigen's inlined headers.
+    -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized -Wno-uninitialized)
+endif()
 if(FPI_NATIVE)
   target_compile_options(fpi_options INTERFACE -march=native)
 else()
