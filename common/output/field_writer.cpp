@@ -1,15 +1,34 @@
 #include "output/field_writer.hpp"
 
+#include <filesystem>
+
 #include "core/error.hpp"
 #include "output/replace.hpp"
 
 namespace fpi::output {
 
-FieldWriter::FieldWriter(const std::string& folder) : folder_(folder), series_(folder + "/fields.h5") {}
+namespace {
+
+std::string xdmf_file(const std::string& folder) { return folder + "/fields.xdmf"; }
+
+/// Of the series, once no .xdmf names steps that it may lose.
+std::string series_file(const std::string& folder) {
+  std::filesystem::remove(xdmf_file(folder));
+  return folder + "/fields.h5";
+}
+
+}  // namespace
+
+FieldWriter::FieldWriter(const std::string& folder) : folder_(folder), series_(series_file(folder)) {}
 
 FieldWriter::FieldWriter(const std::string& folder, std::size_t kept)
-    : folder_(folder), series_(folder + "/fields.h5", kept) {
+    : folder_(folder), series_(series_file(folder), kept) {
   read_layout();
+  write_xdmf();
+}
+
+void FieldWriter::write_xdmf() const {
+  replace_text(xdmf_file(folder_), xdmf_text(layout_, series_.times()), Durable::after_sync);
 }
 
 void FieldWriter::read_layout() {
@@ -45,7 +64,7 @@ void FieldWriter::write(double time, std::span<const FieldView> fields) {
     layout_.fields.push_back({field.name, field.on_cells, field.components});
   }
   series_.end(std::move(file), time);
-  replace_text(folder_ + "/fields.xdmf", xdmf_text(layout_, series_.times()), Durable::after_sync);
+  write_xdmf();
 }
 
 }  // namespace fpi::output

@@ -37,6 +37,7 @@ class FieldWriter {
 
  private:
   void read_layout();
+  void write_xdmf() const;
 
   std::string folder_;
   StepSeries series_;

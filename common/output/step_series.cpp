@@ -32,18 +32,16 @@ StepSeries::StepSeries(const std::string& path, std::size_t kept)
     const bool is_step = name.find_first_not_of("0123456789") == std::string::npos;
     if (entry.path().extension() == ".h5" && !is_step) series.link("/" + name, linked(name));
   }
-  for (std::size_t i = 0; fs::exists(piece(name_of(i))); ++i) {
-    if (i < kept) {
-      times_.push_back(H5File::read(piece(name_of(i))).attribute("/", "time"));
-      series.link(group(i), linked(name_of(i)));
-    } else {
-      fs::remove(piece(name_of(i)));
-    }
+  for (std::size_t i = 0; i < kept && fs::exists(piece(name_of(i))); ++i) {
+    times_.push_back(H5File::read(piece(name_of(i))).attribute("/", "time"));
+    series.link(group(i), linked(name_of(i)));
   }
   require(times_.size() == kept,
           "{} steps are required in {}; got {}: the file does not belong to the checkpoint", kept, path,
           times_.size());
   series.publish(Durable::after_sync);
+  for (std::size_t i = kept; fs::exists(piece(name_of(i))); ++i)
+    fs::remove(piece(name_of(i)));  // no link names them
 }
 
 std::string StepSeries::piece(const std::string& name) const { return folder_ + "/" + name + ".h5"; }

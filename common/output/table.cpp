@@ -71,8 +71,7 @@ void write_table(const std::string& path, const std::vector<std::string>& column
 Columns read_columns(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string line;
-  require(std::getline(file, line) && !file.eof(), "a table with a header is required in {}; got none",
-          path);
+  require(std::getline(file, line) && !file.eof(), "a table with a header is required in {}; got none", path);
   const std::vector<std::string> names = split(line);
   Columns columns;
   for (const std::string& name : names) columns[name];
