@@ -93,7 +93,7 @@ std::vector<Corners> read_text(std::string_view text, const std::string& name) {
     while (true) {
       const std::string_view word = in.word();
       if (Words::same(word, "endsolid")) break;
-      if (!Words::same(word, "facet")) in.bad("facet or endsolid", excerpt(word));
+      if (!Words::same(word, "facet")) in.bad("facet or endsolid", printable(word));
       triangles.push_back(read_facet(in));
     }
     in.skip_line();

@@ -87,7 +87,7 @@ std::vector<std::pair<std::string, Figures>> Host::dismiss(const std::string& re
     Switchboard& board = implementation_->board;
     const double start = board.clock.now();
     for (auto& [role, member] : board.members)
-      board.send_to(member, Goodbye{printable(reason)});  // a lost one may hear it
+      board.send_to(member, Goodbye{legible(reason)});  // a lost one may hear it
     const auto is_gone = [](const auto& entry) { return entry.second.gone; };
     while (!std::ranges::all_of(board.members, is_gone) && board.clock.since(start) < limit) {
       try {

@@ -29,8 +29,7 @@ int take_part(Solver& solver, const std::string& role, const Connection& connect
         link.answer({request.stamp, desk.answer(request)});
       } catch (const std::exception& e) {
         log::error("in phase \"{}\" of step {}: {}", solver.progress.phase(), request.stamp.step, e.what());
-        link.answer(
-            {request.stamp, Failure{connection.program, solver.progress.phase(), printable(e.what())}});
+        link.answer({request.stamp, Failure{connection.program, solver.progress.phase(), legible(e.what())}});
         return failed;
       }
       if (std::holds_alternative<Goodbye>(request.message)) return 0;

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
-#include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace fpi {
 
@@ -37,7 +37,7 @@ class Words {
     if (end == std::string_view::npos || text_[position_] != '"') bad("a name in quotes", "something else");
     std::string out(text_.substr(position_ + 1, end - position_ - 1));
     if (first_bad_byte(out) != out.size() || out.find('\n') != std::string::npos)
-      bad("a name in UTF-8 on one line", excerpt(out));
+      bad("a name in UTF-8 on one line", printable(out));
     position_ = end + 1;
     return out;
   }
@@ -45,21 +45,21 @@ class Words {
   Number number() {
     const std::string_view w = word();
     const auto value = to_number<Number>(w);
-    if (!value) bad("a number", excerpt(w));
+    if (!value) bad("a number", printable(w));
     return *value;
   }
   /// A coordinate [m], or another real: of a size that can be computed with.
   double real() {
     const std::string_view w = word();
     const auto value = to_number<double>(w);
-    if (!value) bad("a number", excerpt(w));
-    if (std::abs(*value) > largest_real) bad(fmt::format("a number up to {:g}", largest_real), excerpt(w));
+    if (!value) bad("a number", printable(w));
+    if (std::abs(*value) > largest_real) bad(fmt::format("a number up to {:g}", largest_real), printable(w));
     return *value;
   }
   /// Takes the word `wanted`, in capitals or not.
   void expect(std::string_view wanted) {
     const std::string_view w = word();
-    if (!same(w, wanted)) bad(std::string(wanted), excerpt(w));
+    if (!same(w, wanted)) bad(std::string(wanted), printable(w));
   }
   /// Whether `word` is `wanted`, in capitals or not.
   static bool same(std::string_view word, std::string_view wanted) {

@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
-#include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace fpi::grains {
 namespace {
@@ -104,7 +104,7 @@ std::vector<Column> read_header(std::string_view line, const std::string& file, 
     const auto found = std::ranges::find(known, name, &Column::name);
     require(found != known.end(),
             "{}:1, column {}: a column must be one of {}; got \"{}\"{}: correct its name or remove it", file,
-            columns.size() + 1, fmt::join(names, ", "), excerpt(name), hint(name, names));
+            columns.size() + 1, fmt::join(names, ", "), printable(name), hint(name, names));
     require(std::ranges::find(columns, name, &Column::name) == columns.end(),
             "{}:1, column {}: a column must be given once; got \"{}\" again: remove one", file,
             columns.size() + 1, name);
@@ -113,7 +113,7 @@ std::vector<Column> read_header(std::string_view line, const std::string& file, 
   for (const Column& column : known)
     require(!column.required || std::ranges::find(columns, column.name, &Column::name) != columns.end(),
             "{}:1: the first line must name the columns and among them \"{}\"; got \"{}\": add it", file,
-            column.name, excerpt(line));
+            column.name, printable(line));
   return columns;
 }
 
@@ -123,7 +123,7 @@ double read_number(std::string_view cell, const std::string& file, std::size_t l
   const bool is_radius = of.name == "radius";
   require(value && std::abs(*value) <= largest_real && (!is_radius || *value >= smallest_positive_real),
           "{}:{}, column {} ({}): a finite number{} is required; got \"{}\": correct it", file, line, column,
-          of.name, is_radius ? " > 0 m" : "", excerpt(cell));
+          of.name, is_radius ? " > 0 m" : "", printable(cell));
   return *value;
 }
 

@@ -5,7 +5,7 @@
 #include <toml.hpp>
 
 #include "core/error.hpp"
-#include "core/text.hpp"
+#include "core/utf8.hpp"
 #include "scene/toml_text.hpp"
 
 namespace fpi::scene {
@@ -193,7 +193,7 @@ Node parse_document(const std::string& text, const std::string& name,
   require_utf8(text, name);
   Node root = parse(text, name);
   for (const std::string& text_of_one : overrides) {
-    require_utf8(text_of_one, override_prefix + excerpt(text_of_one));
+    require_utf8(text_of_one, override_prefix + printable(text_of_one));
     apply_override(root, text_of_one);
   }
   return root;

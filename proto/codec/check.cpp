@@ -212,9 +212,9 @@ void rules(const Place& at, const Heartbeat& heartbeat) {
 // ---- the walk -----------------------------------------------------------------------------------
 
 void walk(const Place& at, const std::string& text) {
-  if (!is_printable(text))
+  if (!is_legible(text))
     fail("{} must be UTF-8 text without control characters; got \"{}\"", at.text(),
-         printable(text.substr(0, 80)));
+         legible(text.substr(0, 80)));
 }
 
 void walk(const Place& at, double value) {

@@ -35,7 +35,7 @@ void Exits::take_line(const std::string& line) {
   if (words >> verb >> role >> status && verb == "exited")
     status_[role] = status;
   else
-    log::warning("a line \"exited ROLE STATUS\" was expected on standard input; got \"{}\"", printable(line));
+    log::warning("a line \"exited ROLE STATUS\" was expected on standard input; got \"{}\"", legible(line));
 }
 
 std::optional<int> Exits::of(const std::string& role) const {

@@ -116,7 +116,7 @@ void Switchboard::refuse(const std::string& peer, const std::string& role, const
   if (refusals_.add())
     log::warning("refused a program for the role {}: {}{}", role, reason,
                  refusals_.count() == 1 ? "" : fmt::format(" ({} refused so far)", refusals_.count()));
-  send_to(peer, {{options_.run, 0, 0}, Refusal{printable(reason)}});
+  send_to(peer, {{options_.run, 0, 0}, Refusal{legible(reason)}});
 }
 
 // ---- who lives ----------------------------------------------------------------------------------

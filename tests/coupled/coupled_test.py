@@ -142,13 +142,13 @@ class Coupled(unittest.TestCase):
         self.assertEqual(run.log().count(" warning"), 0)
 
     def test_a_coupler_that_was_stopped_goes_on(self):
-        with CoupledRun(self.folder, toy_scene(step=1e-4, timeout=5)) as run:
+        with CoupledRun(self.folder, toy_scene(step=1e-4, end=0.03, timeout=5)) as run:
             run.wait_for_step(20)
             pause([run.coupler], 3)
             self.assertEqual(run.wait(), 0, run.log())
 
     def test_a_run_that_stood_still_as_a_whole_goes_on(self):
-        with CoupledRun(self.folder, toy_scene(step=1e-4, timeout=1)) as run:
+        with CoupledRun(self.folder, toy_scene(step=1e-4, end=0.03, timeout=1)) as run:
             run.wait_for_step(20)
             pause([run.coupler, *run.participants.values()], 3)
             self.assertEqual(run.wait(), 0, run.log())

@@ -65,6 +65,9 @@ namespace fpi::fuzz {
 std::vector<Bytes> seeds() {
   const Envelope step{{1, 1, 0}, FluidAdvance{0.01, 0.01, {ball(0.55, true)}, false, true}};
   const Envelope again{{1, 1, 1}, FluidAdvance{0.01, 0.01, {ball(0.55, true)}}};
+  Interface wide = ball(0.55, false);  // no element is left to the fluid
+  wide.radius = 2;
+  const Envelope covered{{1, 1, 0}, FluidAdvance{0.01, 0.01, {wide}}};
   const Envelope next{{1, 2, 0}, FluidAdvance{.time = 0.02, .time_step = 0.01, .same_interfaces = true}};
   const Envelope steady{{1, 0, 0}, FluidAdvance{.interfaces = {square()}}};
   return {

@@ -1,5 +1,5 @@
 /// Text in UTF-8, and numbers as text.
-#include "core/text.hpp"
+#include "core/utf8.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(Utf8, characters_of_every_length_are_taken) {
 TEST(Utf8, what_is_no_character_is_found) {
   for (const std::string bad : {"\x80", "\xc0\xaf", "\xe0\x80\x80", "\xed\xa0\x80", "\xf0\x80\x80\x80",
                                 "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff", "\xe2\x82", "\xc3"})
-    EXPECT_EQ(first_bad_byte("ab" + bad), 2u) << excerpt(bad);
+    EXPECT_EQ(first_bad_byte("ab" + bad), 2u) << printable(bad);
 }
 
 TEST(Utf8, an_error_says_the_line_and_what_the_text_may_be) {
@@ -46,8 +46,8 @@ TEST(Utf8, an_error_says_the_line_and_what_the_text_may_be) {
 }
 
 TEST(Utf8, what_an_error_shows_is_whole_characters) {
-  EXPECT_EQ(excerpt("a\tb\xff"), "a\\x09b\\xFF");
-  EXPECT_EQ(excerpt("\u00e9\u00e9\u00e9", 5), "\u00e9\u00e9\u2026");
+  EXPECT_EQ(printable("a\tb\xff"), "a\\x09b\\xFF");
+  EXPECT_EQ(printable("\u00e9\u00e9\u00e9", 5), "\u00e9\u00e9\u2026");
 }
 
 TEST(Number, is_the_whole_text_and_may_have_a_plus_sign) {
