@@ -12,6 +12,7 @@ namespace {
 
 constexpr double agreed = 1e-10;  ///< of the largest value met times the step
 constexpr int most_halvings = 40;
+constexpr int parts = 32;  ///< of a step in which a formula may jump
 
 /// Points and weights of the five-point Gauss–Legendre rule on [0, 1].
 struct QuadraturePoint {
@@ -44,9 +45,18 @@ std::vector<double> numbers_in(const std::string& formula) {
   return numbers;
 }
 
-/// t0, t1, and what is between them of the numbers in the formula, in order.
+/// Whether it has an operator or function that may jump or bend.
+bool may_jump(const std::string& formula) {
+  constexpr std::array words{"<", ">", "=", "?", "rint", "sign", "abs", "min", "max"};
+  return std::ranges::any_of(words, [&](const char* word) { return formula.find(word) != formula.npos; });
+}
+
+/// t0, t1, and what is between them of the numbers in the formula, in order; equal parts too where it may
+/// jump.
 std::vector<double> divided(const Expression& formula, double t0, double t1) {
   std::vector<double> times{t0, t1};
+  for (int part = 1; part < parts && may_jump(formula.formula()); ++part)
+    times.push_back(t0 + (t1 - t0) * part / parts);
   for (const double number : numbers_in(formula.formula()))
     if (number > t0 && number < t1) times.push_back(number);
   std::ranges::sort(times);

@@ -425,7 +425,7 @@ class Coupled(unittest.TestCase):
             self.assertEqual(run.wait(), 1)
         self.assertIn("disc sinks by 0.23 of its radius into wall floor under its own weight", run.log())
         self.assertRegex(run.summary["reason"], r"disc and floor overlap by more than a radius: disc would pass through at "
-                                                r"\(0, -?\S+, 0\) m, with 4\S* m/s. Take a larger youngs_modulus")
+                                                r"\(0, -?\S+, 0\) m, with \S+ m/s. Take a larger youngs_modulus")
 
     def test_grains_in_a_drum_that_turns_resume_to_the_same_bits(self):
         with CoupledRun(self.folder, DRUM_SCENE) as run:
