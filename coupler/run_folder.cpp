@@ -28,9 +28,12 @@ constexpr std::array results{"fields.h5",     "fields.xdmf",      "bodies.h5",
                              "checkpoint.h5", "final_bodies.csv", "left_bodies.csv"};
 
 proto::Bytes read_bytes(const fs::path& path, const std::string& scene_file) {
+  std::error_code error;
+  const bool is_file = fs::is_regular_file(path, error);  // a folder opens, but reading it throws
   std::ifstream file(path, std::ios::binary);
-  proto::Bytes bytes{std::istreambuf_iterator<char>(file), {}};
-  require(file.good() || (file.eof() && !bytes.empty()),
+  proto::Bytes bytes;
+  if (is_file) bytes.assign(std::istreambuf_iterator<char>(file), {});
+  require(is_file && (file.good() || (file.eof() && !bytes.empty())),
           "a file is required at {}, as {} names it beside itself; it is missing, empty or cannot be read",
           path.string(), scene_file);
   return bytes;

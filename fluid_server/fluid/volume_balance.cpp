@@ -68,7 +68,6 @@ std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
     if (number < 0) continue;
     PartInflow& part = parts[number];
     const Interface& interface = system.interfaces()[piece.interface];
-    if (interface.balance) part.is_given = false;
     if (!part.is_given) continue;
     for (const ArcPoint& point : arc_points(space, interface, piece)) {
       const double inflow =
