@@ -60,7 +60,6 @@ std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
       space.boundary.add_pressure(b, {bodies, sides}, inward);
       const double inflow = inward.dot(u);
       parts[part].net += inflow;
-      parts[part].gross += std::abs(inflow);
     }
   }
   for (const ArcPiece& piece : system.cut().pieces) {
@@ -73,7 +72,6 @@ std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
       const double inflow =
           point.weight * normal(interface.outline, point).dot(interface.velocity(piece.arc, point.parameter));
       part.net += inflow;
-      part.gross += std::abs(inflow);
     }
   }
   return parts;
