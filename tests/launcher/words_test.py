@@ -37,7 +37,7 @@ class Words(FakeTest):
         self.assertEqual(self.fpi("check", "drop.toml"), (0, "drop.toml: ok\n", ""))
 
     def test_check_of_a_scene_that_would_be_refused_has_status_1_and_the_findings_on_standard_output(self):
-        Path("broken.toml").write_text("broken")
+        (self.folder / "broken.toml").write_text("broken")
         self.assertEqual(self.fpi("check", "broken.toml"), (1, "broken.toml: 1 errors\n", ""))
         status, out, err = self.fpi("check", "broken.toml", "--json")
         self.assertEqual((status, json.loads(out)["status"], err), (1, "refused", ""))
