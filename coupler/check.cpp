@@ -34,7 +34,7 @@ class Check {
       if (read() && read_stages() && place_bodies()) ask_participants();
     } catch (const proto::Interrupted&) {
       throw;
-    } catch (const Error& e) {
+    } catch (const std::exception& e) {
       found_.error("", "{}", e.what());
     }
     if (reading_.document) Places(reading_, scene_, groups_).fill(found_);

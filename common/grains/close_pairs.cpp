@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <limits>
 
 namespace fpi::grains {
 namespace {
@@ -108,15 +110,19 @@ class Grid {
 std::vector<IndexPair> close_pairs(std::span<const Sphere> spheres, double margin, const Periods& periods) {
   std::vector<IndexPair> pairs;
   if (spheres.empty()) return pairs;
-  const auto reach = [margin](const Sphere& sphere) { return 2 * sphere.radius + margin; };
+  static constexpr double farthest = std::numeric_limits<double>::max();  // of the widest spheres, which overflow
+  const auto reach = [margin](const Sphere& sphere) {
+    return std::min(2 * sphere.radius + margin, farthest);
+  };
   const double finest = reach(*std::ranges::min_element(spheres, {}, &Sphere::radius));
   const auto level_of = [&](const Sphere& sphere) {
-    return static_cast<std::size_t>(std::max(0.0, std::ceil(std::log2(reach(sphere) / finest) - 1e-9)));
+    return static_cast<std::size_t>(
+        std::max(0.0, std::ceil(std::log2(reach(sphere)) - std::log2(finest) - 1e-9)));
   };
   std::vector<Grid> grids;
   const std::size_t n_levels = 1 + level_of(*std::ranges::max_element(spheres, {}, &Sphere::radius));
   for (std::size_t level = 0; level < n_levels; ++level)
-    grids.emplace_back(finest * static_cast<double>(std::uint64_t{1} << level) * (1 + 1e-9), periods);
+    grids.emplace_back(std::ldexp(finest, static_cast<int>(level)) * (1 + 1e-9), periods);
   std::vector<std::size_t> levels(spheres.size());
   for (std::uint32_t i = 0; i < spheres.size(); ++i) {
     levels[i] = level_of(spheres[i]);

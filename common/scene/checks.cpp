@@ -115,7 +115,8 @@ void check_shapes(std::string_view list, const std::vector<Group>& groups, bool 
               fmt::format("must go with the first body's, \"{}\": a scene is plane or in space", first));
     v.require(!scene.fluid || groups[i].is_plane(), key_of(list, i, "shape"),
               "must be \"disc\" or \"polygon\" where there is a [fluid], which is plane");
-    v.require(groups[i].shape != "polygon" || !scene.moves_freely(), key_of(list, i, "shape"),
+    const bool is_held = groups[i].motion != "free";  // its motion is refused otherwise
+    v.require(groups[i].shape != "polygon" || !is_held || !scene.moves_freely(), key_of(list, i, "shape"),
               "must not be \"polygon\" where other bodies move freely: there is no contact law for polygons "
               "yet");
   }

@@ -60,7 +60,6 @@ std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
       space.boundary.add_pressure(b, {bodies, sides}, inward);
       const double inflow = inward.dot(u);
       parts[part].net += inflow;
-      parts[part].gross += std::abs(inflow);
     }
   }
   for (const ArcPiece& piece : system.cut().pieces) {
@@ -68,13 +67,11 @@ std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
     if (number < 0) continue;
     PartInflow& part = parts[number];
     const Interface& interface = system.interfaces()[piece.interface];
-    if (interface.balance) part.is_given = false;
     if (!part.is_given) continue;
     for (const ArcPoint& point : arc_points(space, interface, piece)) {
       const double inflow =
           point.weight * normal(interface.outline, point).dot(interface.velocity(piece.arc, point.parameter));
       part.net += inflow;
-      part.gross += std::abs(inflow);
     }
   }
   return parts;

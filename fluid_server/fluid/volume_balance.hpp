@@ -25,12 +25,11 @@ struct VolumeBalance {
 /// Of the flow u [m/s] in which bodies move as the interfaces of the system say.
 VolumeBalance volume_balance(const System& system, const Vector& u);
 
-/// Of each part of the fluid: what comes in through its closed sides and what bodies push ahead of them,
-/// where these have the velocities u [m/s] and of the interfaces; at open boundaries, and at bodies that the
-/// fluid moves, it says nothing [m²/s].
+/// Of each part of the fluid that has sides, none of them open: what comes in through these, with the
+/// velocity u [m/s] there, and what bodies push ahead of them, with the velocities of the interfaces [m²/s].
 struct PartInflow {
-  double net = 0, gross = 0;
-  bool is_given = true;  ///< no open boundary, no body that the fluid moves
+  double net = 0;
+  bool is_given = true;  ///< false for other parts, of which nothing is said
 };
 std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u);
 

@@ -15,7 +15,12 @@ void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
 class Checks : public testing::TestWithParam<Case> {};
 
-TEST_P(Checks, says_what_does_not_hold) { EXPECT_EQ(error_of(GetParam().text), GetParam().message); }
+TEST_P(
+    Checks,
+    says_what_does_not_hold) {  // A line of what is told: other problems of the same change stand beside it.
+  const std::string told = "\n" + error_of(GetParam().text) + "\n";
+  EXPECT_NE(told.find("\n" + std::string(GetParam().message) + "\n"), std::string::npos) << told;
+}
 
 const std::string second_body = "[[bodies]]\nname = \"disc\"\nradius = 1\ndensity = 1\nposition = [1, 1]\n";
 
