@@ -10,6 +10,7 @@
 #include "plan.hpp"
 #include "proto/host.hpp"
 #include "proto/keys.hpp"
+#include "run_folder.hpp"
 #include "scene/scene.hpp"
 
 namespace fpi {
