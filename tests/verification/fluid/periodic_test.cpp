@@ -93,9 +93,9 @@ Eigen::Vector<double, 5> answer(NavierStokes& solver, const Vec2& centre) {
   disc.rigid.spin = 0.5;
   const Result result = solve_steady(solver, {disc});
   EXPECT_TRUE(result.newton.converged) << result.newton.reason;
-  const auto& [body, lambda, force, torque, arc_length, motion] = result.tractions.at(0);
+  const BodyTraction& on_disc = result.tractions.at(0);
   const Vec2 beside = solver.at(centre + Vec2(0.27, 0.31))->first;
-  return {force.x(), force.y(), torque, beside.x(), beside.y()};
+  return {on_disc.force.x(), on_disc.force.y(), on_disc.torque, beside.x(), beside.y()};
 }
 
 TEST(Periodic, a_body_across_a_side_feels_what_it_feels_in_the_middle) {
