@@ -45,6 +45,7 @@ Simulation::Simulation(const scene::Scene& scene, Participants participants, std
     : scene_(scene),
       run_(run),
       dofs_(coupled_bodies(scene), scene.thickness),
+      fluid_can_move_bodies_(participants.fluid_moves_bodies),
       fluid_moves_bodies_(lets_fluid_move_bodies(scene.coupling, participants)),
       solvers_(scene, dofs_, participants, fluid_moves_bodies_),
       predictor_(scene.coupling.predictor),
@@ -334,7 +335,8 @@ bool Simulation::starts_suddenly() const {
 
 std::optional<Attempt> Simulation::start_suddenly(double time_step) {
   constexpr double vanishing = 1e-6;
-  if (!starts_suddenly() || (!dofs_.bodies().empty() && !fluid_moves_bodies_)) return std::nullopt;
+  const bool is_solved = dofs_.bodies().empty() ? fluid_can_move_bodies_ : fluid_moves_bodies_;
+  if (!is_solved || !starts_suddenly()) return std::nullopt;
   const Eigen::VectorXd force_of_dem = force_of_dem_;
   Attempt found = attempt(0, 0, vanishing * time_step);
   if (!found.converged) {

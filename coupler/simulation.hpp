@@ -95,6 +95,7 @@ class Simulation {
   const scene::Scene& scene_;
   std::uint64_t run_;
   coupling::RigidDofs dofs_;
+  bool fluid_can_move_bodies_;
   bool fluid_moves_bodies_;  ///< x is what the DEM adds, else the velocities that the fluid gets
   Solvers solvers_;
   coupling::Predictor predictor_;

@@ -213,9 +213,12 @@ void Solvers::take_tractions(std::vector<proto::Traction> tractions, Trial& tria
             "the fluid must answer in the order of the bodies with two values an arc; for body \"{}\" with "
             "{} arcs it sent {} values of body {}",
             scene_.bodies[i].name, n_arcs, traction.values.size(), traction.body);
-    const bool is_free = scene_.bodies[i].is_free();
-    trial.state.loads[i] = {.force = coupling::to_eigen(is_free ? traction.mean_force : traction.force),
-                            .torque = coupling::to_eigen(is_free ? traction.mean_torque : traction.torque)};
+    proto::Vec3 force = traction.force, torque = traction.torque;
+    if (scene_.bodies[i].is_free()) {
+      force = traction.mean_force.value_or(force);
+      torque = traction.mean_torque.value_or(torque);
+    }
+    trial.state.loads[i] = {.force = coupling::to_eigen(force), .torque = coupling::to_eigen(torque)};
     if (fluid_moves_bodies_ && scene_.bodies[i].is_free()) {
       trial.placed[i].velocity = coupling::to_eigen(traction.velocity);
       trial.placed[i].spin = coupling::to_eigen(traction.spin);

@@ -45,8 +45,8 @@ proto::Load to_wire(std::uint32_t body, const coupling::RigidLoad& load) {
 
 proto::Load to_wire(const coupling::Arcs& arcs, const proto::Traction& traction) {
   return {.body = traction.body,
-          .force = traction.mean_force,
-          .torque = traction.mean_torque,
+          .force = traction.mean_force.value_or(traction.force),
+          .torque = traction.mean_torque.value_or(traction.torque),
           .start = arcs.start,
           .end = arcs.end,
           .tractions = traction.values};

@@ -63,7 +63,7 @@ proto::Traction write_traction(const BodyTraction& t, double thickness) {
                       .velocity = to_wire(t.motion.translation),
                       .spin = {0, 0, t.motion.spin},
                       .mean_force = to_wire(thickness * t.mean.force),
-                      .mean_torque = {0, 0, thickness * t.mean.torque}};
+                      .mean_torque = proto::Vec3{0, 0, thickness * t.mean.torque}};
   for (const Vec2& lambda : t.lambda) out.values.insert(out.values.end(), {lambda.x(), lambda.y()});
   return out;
 }

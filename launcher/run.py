@@ -174,7 +174,7 @@ class Run:
         elif word == "progress":
             self.display.progress(json.loads(rest))
         elif line:
-            self.display.say(line)
+            self.display.say(printable(line))
 
     def hear_error(self, line: str) -> None:
         """A line of the coupler's standard error. Its errors are kept for the end, where they are told once."""
@@ -184,7 +184,7 @@ class Run:
         elif self.complaints and not logged:
             self.complaints[-1] += "\n" + printable(line)
         elif line:
-            self.display.warn(line)
+            self.display.warn(printable(line))
 
     def start_participants(self, address: str) -> None:
         for participant in self.plan["participants"]:
@@ -321,7 +321,7 @@ class Lines:
             lines.append(self.rest)
             self.rest = b""
         for line in lines:
-            self.take_line(line.decode(errors="replace"))
+            self.take_line(line.decode(errors="surrogateescape"))  # a token file may be called anything
 
 
 @contextlib.contextmanager

@@ -96,11 +96,10 @@ Interface unpack(Reader& r, const wire::Interface* w) {
           .balance = unpack(w->balance())};
 }
 Traction unpack(Reader& r, const wire::Traction* w) {
-  const wire::Vec3* const mean_force = w->mean_force() ? w->mean_force() : w->force();
-  const wire::Vec3* const mean_torque = w->mean_torque() ? w->mean_torque() : w->torque();
-  return {w->body(),       r.numbers(w->values()), unpack(w->force()), unpack(w->torque()),
-          w->arc_length(), unpack(w->velocity()),  unpack(w->spin()),  unpack(mean_force),
-          unpack(mean_torque)};
+  const auto given = [](const wire::Vec3* v) { return v ? std::optional(unpack(v)) : std::nullopt; };
+  return {w->body(),           r.numbers(w->values()), unpack(w->force()),
+          unpack(w->torque()), w->arc_length(),        unpack(w->velocity()),
+          unpack(w->spin()),   given(w->mean_force()), given(w->mean_torque())};
 }
 Load unpack(Reader& r, const wire::Load* w) {
   return {w->body(),           unpack(w->force()),        unpack(w->torque()),   r.numbers(w->start()),

@@ -48,9 +48,10 @@ auto pack(Builder& b, const Interface& m) {
 }
 auto pack(Builder& b, const Traction& m) {
   const wire::Vec3 force = pack(m.force), torque = pack(m.torque), v = pack(m.velocity), w = pack(m.spin);
-  const wire::Vec3 mean_force = pack(m.mean_force), mean_torque = pack(m.mean_torque);
+  const wire::Vec3 mean_force = pack(m.mean_force.value_or(Vec3{})),
+                   mean_torque = pack(m.mean_torque.value_or(Vec3{}));
   return wire::CreateTraction(b, m.body, numbers(b, m.values), &force, &torque, m.arc_length, &v, &w,
-                              &mean_force, &mean_torque);
+                              m.mean_force ? &mean_force : nullptr, m.mean_torque ? &mean_torque : nullptr);
 }
 auto pack(Builder& b, const Load& m) {
   const wire::Vec3 force = pack(m.force), torque = pack(m.torque), v = pack(m.velocity), w = pack(m.spin);

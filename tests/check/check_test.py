@@ -13,14 +13,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from broken_scenes import GOOD, Case, cases  # noqa: E402
 
-from launcher import cli  # noqa: E402
+from launcher import cli, ending  # noqa: E402
 
 
 def fpi(*words: str) -> tuple[int, dict, str]:
     """Status, JSON and errors of `./fpi WORDS --json`."""
     out, err = io.StringIO(), io.StringIO()
     with redirect_stdout(out), redirect_stderr(err):
-        status = cli.main([*words, "--json"])
+        status = ending.end([*words, "--json"], cli.carry_out)
     return status, json.loads(out.getvalue() or "null"), err.getvalue()
 
 

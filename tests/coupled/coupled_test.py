@@ -16,7 +16,7 @@ from pathlib import Path
 from harness import BIN, DRUM_SCENE, EXIT_SCENE, SETTLING_SCENE, SOFT_SCENE, CoupledRun, arrays_of, channel_scene, interrupt, run_coupler, toy_scene
 
 FILES = {"scene.toml", "history.csv", "bodies.h5", "interface.h5", "summary.json", "coupler.log"}
-KEYS = {"status", "reason", "steps", "steps_before", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
+KEYS = {"status", "reason", "resolution", "warnings", "steps", "steps_before", "sub_iterations", "newton_iterations", "factorisations", "solves", "unknowns",
         "wall_seconds", "peak_memory_bytes", "bodies", "boundaries", "coefficients", "probes", "signals", "profiles",
         "errors", "counts", "grains", "coupling", "outlets", "onset", "version", "scene_fingerprint", "percolation",
         "force_balance", "volume_balance", "drives"}

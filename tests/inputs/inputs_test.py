@@ -233,13 +233,13 @@ class Inputs(unittest.TestCase):
                                  f"scene.toml:1: text in UTF-8 is required; got {word}")
                 checked = self.fpi("check")
                 self.assertEqual(checked.returncode, 1)
-                self.assertIn(f"got {word}", checked.stderr)
+                self.assertIn(f"got {word}", checked.stdout)
 
     def test_a_periodic_rectangle_without_a_corner_is_refused_with_a_sentence(self):
         self.write("scene.toml", PERIODIC)
         checked = self.fpi("check")
         self.assertEqual(checked.returncode, 1)
-        self.assertRegex(checked.stderr, r"scene\.toml:\d+: fluid\.mesh\.lower must name a mesh, or else lower = \[x, y\]")
+        self.assertRegex(checked.stdout, r"scene\.toml:\d+: fluid\.mesh\.lower must name a mesh, or else lower = \[x, y\]")
 
     def test_a_formula_that_is_not_finite_is_named_with_its_key_and_place(self):
         self.write("channel.msh", channel_mesh(SIDES, NAMES))

@@ -128,7 +128,6 @@ RUNS = [  # of what takes --quiet and --json
     Mistake("resuming what is no run", ["resume", "."], "there is none in ."),
     Mistake("resuming what is not there", ["resume", "gone"], "there is none in gone"),
     Mistake("resuming what reached its end", ["resume", "done"], "the run reached its end", dry_run),
-    Mistake("resuming without a checkpoint", ["resume", "done"], "a checkpoint is required", all_of(dry_run, lambda place: (place / "done/summary.json").unlink())),
     Mistake("a pipe among the results", ["resume", "r"], "r/history.csv is a pipe", all_of(write("r/scene.toml", DRY), pipe("r/history.csv"))),
     Mistake("a program of the scene", ["run", "c.toml"], "say --trust", with_command("my_solver --fast")),
     Mistake("a command with half a quote", ["run", "c.toml", "--trust"], "No closing quotation", with_command("my 'solver")),

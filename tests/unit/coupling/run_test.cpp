@@ -317,7 +317,7 @@ TEST_F(RunTest, a_rehearsal_sends_the_first_message_of_a_run_and_nothing_else) {
   proto::FluidAdvance asked = fluid.asked[0];
   EXPECT_TRUE(asked.rehearsal);
   FakeFluid other;
-  FakeDem grains = new_dem();
+  FakeDem grains = new_dem({{0, 3, 0}, {1, 3, 0}});
   Simulation taken(scene, {&other, &grains}, 1);
   taken.configure({}, {});
   taken.attempt(0, 0.1, 0.1);

