@@ -26,7 +26,7 @@ position = [0, 0, 1]
 
 # A free disc in fluid: three programs, for as long as a test wants.
 COUPLED = """
-title = "a disc settles in a small box, on a coarse mesh"
+title = "a disc settles in a small box"
 gravity = [0.0, -9.81]
 [time]
 step = 1e-5
@@ -36,7 +36,7 @@ checkpoint_every = 5
 [fluid]
 density = 1000.0
 kinematic_viscosity = 1e-5
-mesh = {lower = [0.0, 0.0], upper = [0.01, 0.02], cells_x = 8, cells_y = 16}
+mesh = {lower = [0.0, 0.0], upper = [0.01, 0.02], cells_x = 28, cells_y = 56}
 boundaries = {left.type = "no_slip", right.type = "no_slip", bottom.type = "no_slip", top.type = "no_slip"}
 [[bodies]]
 name = "disc"

@@ -4,6 +4,7 @@ that it started goes on."""
 import json
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -40,8 +41,7 @@ class Kills(FpiCase):
         self.assertIn(cause, said)
         self.assertEqual(len(said.splitlines()), 1, said)
         self.assertEqual(ended.err if mode == "--json" else ended.out, "")
-        for path in (self.folder / "r").iterdir():
-            path.unlink()
+        shutil.rmtree(self.folder / "r")
 
 
 class CtrlC(FpiCase):
