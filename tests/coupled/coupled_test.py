@@ -133,7 +133,7 @@ class Coupled(unittest.TestCase):
     def test_a_thousand_idle_connections_end_no_run(self):
         with contextlib.ExitStack() as strangers:
             raise_own_limit(1200)
-            with CoupledRun(self.folder, toy_scene(step=1e-4, checkpoint_every=20), most_files=256) as run:
+            with CoupledRun(self.folder, toy_scene(step=1e-4, end=1, checkpoint_every=200), most_files=256) as run:
                 where = ("127.0.0.1", int(run.address.rpartition(":")[2]))
                 for _ in range(1000):
                     strangers.enter_context(socket.create_connection(where, timeout=10))
