@@ -176,8 +176,9 @@ Vec2 NavierStokes::mean_force(double time) const {
 }
 
 /// The part of a step's mean load that is the load at its end; the rest is the mean load of the last step.
-/// Bodies and fluid then exchange momentum by one formula: what BDF2 makes of the fluid's past, a sudden
-/// start or an impact in it, it makes of the bodies' too, and their sum is kept to round-off.
+/// Bodies and fluid then exchange momentum by one formula, and what the surface gives to one it takes from
+/// the other: what BDF2 makes of the fluid's past, a sudden start or an impact in it, it makes of the bodies'
+/// too.
 double NavierStokes::gamma(const Request& request) const {
   if (request.time_step == 0 || !settings_.bodies_move) return 1;
   return scheme_of_moving_bodies(request.time_step).gamma(request.time_step);
