@@ -1,7 +1,6 @@
 #include "check.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <random>
 
@@ -15,15 +14,11 @@
 #include "places.hpp"
 #include "proto/token.hpp"
 #include "run_folder.hpp"
+#include "say.hpp"
 #include "scene/reading.hpp"
 
 namespace fpi {
 namespace {
-
-void say(const std::string& line) {
-  std::printf("%s\n", line.c_str());
-  std::fflush(stdout);
-}
 
 class Check {
  public:

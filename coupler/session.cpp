@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <random>
@@ -28,6 +27,7 @@
 #include "resolution.hpp"
 #include "run.hpp"
 #include "run_folder.hpp"
+#include "say.hpp"
 #include "scene/reading.hpp"
 
 namespace fpi {
@@ -49,11 +49,6 @@ double peak_memory_bytes() {
 std::uint64_t random_run_number() {
   std::random_device source;
   return (std::uint64_t{source()} << 32) | source();
-}
-
-void say(const std::string& line) {
-  std::printf("%s\n", line.c_str());
-  std::fflush(stdout);
 }
 
 /// Prints where the run stands, ten times a second at most.
