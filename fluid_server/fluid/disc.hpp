@@ -16,6 +16,7 @@ struct Disc {
 
   static constexpr double period() { return 2 * std::numbers::pi; }  ///< of the outline's parameter [rad]
   Vec2 at(double angle) const { return centre + radius * Vec2(std::cos(angle), std::sin(angle)); }
+  Vec2 normal(double angle) const { return {std::cos(angle), std::sin(angle)}; }  ///< out of the disc
   double angle(const Vec2& x) const { return std::atan2(x.y() - centre.y(), x.x() - centre.x()); }
   double length(double from, double to) const { return radius * (to - from); }
   Vec2 centroid() const { return centre; }

@@ -48,6 +48,7 @@ void follow_paths(const System& system, const Vector& displacement, const State&
   const Mesh& mesh = space.mesh;
   terms.follows.assign(mesh.n_cells(), 0);
   terms.load = Vector::Zero(2 * static_cast<Eigen::Index>(mesh.n_nodes()));
+  terms.carried = Vector::Zero(2 * static_cast<Eigen::Index>(mesh.n_cells()));
   std::vector<Vec2> history;
   for (std::size_t k = 0; k < system.active_cells().size(); ++k) {
     const Index c = system.active_cells()[k];
@@ -67,9 +68,11 @@ void follow_paths(const System& system, const Vector& displacement, const State&
     }
     if (history.size() < rule.points.size()) continue;  // a path from outside the mesh: node by node
     terms.follows[c] = 1;
-    for (std::size_t q = 0; q < rule.points.size(); ++q)
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      terms.carried.segment<2>(2 * c) += rule.weight(q) * history[q];
       for (int i = 0; i < 6; ++i)
         terms.load.segment<2>(2 * nodes[i]) += rule.weight(q) * rule.points[q].shape.n[i] * history[q];
+    }
   }
 }
 

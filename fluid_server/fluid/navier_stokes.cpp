@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "fluid/condition.hpp"
+#include "fluid/momentum_balance.hpp"
 #include "fluid/periodic_mesh.hpp"
 #include "fluid/steady.hpp"
 
@@ -72,7 +73,8 @@ Result NavierStokes::advance(const Request& request) {
     if (request.wants_resistance && current_.corrector.background)
       result.resistance = gamma(request) * system_->resistance(*current_.corrector.background);
     if (request.time_step > 0)
-      result.time_error = time_error(scheme_, start_, current_.fields.u, request.time_step);
+      result.time_error =
+          time_error(scheme_, start_, current_.fields.u, request.time_step, system_->wet_nodes());
   }
   last_converged_ = result.newton.converged;
   return result;
@@ -141,6 +143,7 @@ void NavierStokes::set_time_terms(const Request& request) {
     start_ = along_paths(space_, displacement_, start_);
     time_terms_ = time_terms(scheme_, start_, displacement_);
     follow_paths(*system_, displacement_, accepted_, scheme_, time_terms_);
+    time_terms_.parts = moving_parts(*system_, displacement_, accepted_, scheme_, time_terms_);
   }
 }
 
@@ -261,9 +264,12 @@ void NavierStokes::accept() {
         prediction_errors(start_, fields.u, last_->time_step, system_->numbering().node_is_active);
   accepted_.previous_acceleration = start_.acceleration;
   accepted_.has_previous_acceleration = start_.has_acceleration;
+  accepted_.step_before = start_.previous_step;
   accepted_.previous_step = last_->time_step;
   accepted_.previous_u = std::move(accepted_.u);
   if (displacement_.size() > 0) accepted_.drift = displacement_ / last_->time_step;
+  accepted_.previous_fluid_in_cells = std::move(accepted_.fluid_in_cells);
+  if (settings_.bodies_move) accepted_.fluid_in_cells = fluid_in_cells(*system_, fields.u);
   accepted_.acceleration = time_terms_.acceleration(fields.u);
   accepted_.has_acceleration = last_->time_step > 0 && start_.damped_steps <= 0;
   accepted_.damped_steps = start_.damped_steps > 0 ? start_.damped_steps - 1 : start_.damped_steps;
@@ -296,8 +302,12 @@ void NavierStokes::accept() {
 void NavierStokes::restore() { last_.reset(); }
 
 void NavierStokes::set_state(State state) {
+  const auto fits_cells = [&](const Vector& in_cells) {
+    return in_cells.size() == 0 || in_cells.size() == 3 * static_cast<Eigen::Index>(space_.mesh.n_cells());
+  };
   require(state.u.size() == accepted_.u.size() && state.acceleration.size() == accepted_.u.size() &&
-              state.p.size() == accepted_.p.size(),
+              state.p.size() == accepted_.p.size() && fits_cells(state.fluid_in_cells) &&
+              fits_cells(state.previous_fluid_in_cells),
           "the state belongs to another mesh: resume with the scene that the run was started with");
   accepted_ = std::move(state);
   system_.reset();

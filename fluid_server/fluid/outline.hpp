@@ -44,6 +44,9 @@ class Outline {
   Vec2 centroid() const {
     return visit([](const auto& s) { return s.centroid(); });
   }
+  Vec2 normal(double parameter) const {  ///< of length 1, out of the body
+    return visit([=](const auto& s) { return s.normal(parameter); });
+  }
   bool contains(const Vec2& x) const {
     return visit([&](const auto& s) { return s.contains(x); });
   }

@@ -5,7 +5,7 @@
 namespace fpi::fluid {
 namespace {
 
-constexpr std::uint64_t magic = 0x35534c4644495046;  // "FPIDFLS5"
+constexpr std::uint64_t magic = 0x36534c4644495046;  // "FPIDFLS6"
 
 constexpr std::size_t bytes_a_body = 8 * sizeof(double);  // its place and its load
 
@@ -28,7 +28,7 @@ State State::at_rest(Index n_nodes, Index n_vertices) {
 }
 
 void State::forget_past() {
-  previous_step = 0;
+  previous_step = step_before = 0;
   has_acceleration = has_previous_acceleration = false;
   acceleration.setZero();
   p.setZero();
@@ -46,6 +46,7 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   write.put(view(state.acceleration));
   write.put(view(state.p));
   write.put(state.previous_step);
+  write.put(state.step_before);
   write.put(view(state.previous_u));
   write.put(static_cast<std::uint8_t>(state.has_previous_acceleration));
   write.put(view(state.previous_acceleration));
@@ -58,6 +59,10 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   for (const MeanLoad& load : state.loads) {
     write.put(static_cast<std::int64_t>(load.body));
     for (const double number : {load.force.x(), load.force.y(), load.torque}) write.put(number);
+  }
+  for (const Vector* in_cells : {&state.fluid_in_cells, &state.previous_fluid_in_cells}) {
+    write.put(static_cast<std::uint64_t>(in_cells->size()));
+    write.put(view(*in_cells));
   }
   write.put(static_cast<std::int64_t>(state.damped_steps));
   for (const double error : state.prediction_errors) write.put(error);
@@ -79,6 +84,7 @@ State from_bytes(std::span<const std::uint8_t> bytes, Index n_nodes, Index n_ver
   state.acceleration = read_vector(read, 2 * n_nodes);
   state.p = read_vector(read, n_vertices);
   state.previous_step = read.number();
+  state.step_before = read.number();
   state.previous_u = read_vector(read, 2 * n_nodes);
   state.has_previous_acceleration = read.get<std::uint8_t>() != 0;
   state.previous_acceleration = read_vector(read, 2 * n_nodes);
@@ -96,6 +102,13 @@ State from_bytes(std::span<const std::uint8_t> bytes, Index n_nodes, Index n_ver
     const auto body = static_cast<Index>(read.get<std::int64_t>());
     const double x = read.number(), y = read.number();
     state.loads.push_back({body, Vec2(x, y), read.number()});
+  }
+  for (Vector* in_cells : {&state.fluid_in_cells, &state.previous_fluid_in_cells}) {
+    const auto size = read.get<std::uint64_t>();
+    require(size <= read.left() / sizeof(double),
+            "the fluid's state holds fewer numbers of cells than the {} it names: take another checkpoint",
+            size);
+    *in_cells = read_vector(read, static_cast<Eigen::Index>(size));
   }
   state.damped_steps = static_cast<int>(read.get<std::int64_t>());
   for (double& error : state.prediction_errors) error = read.number();

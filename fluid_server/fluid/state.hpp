@@ -35,12 +35,16 @@ struct State {
   Vector p;             ///< of each vertex [Pa]
   bool has_acceleration = false;
   double previous_step = 0;  ///< Δt of the step that led here [s]; 0: there is none
+  double step_before = 0;    ///< Δt of the step before it [s]; 0: there is none
   Vector previous_u;         ///< at its start [m/s]
   bool has_previous_acceleration = false;
   Vector previous_acceleration;   ///< at its start [m/s²]
   Vector drift;                   ///< mean velocity of each node's path over it [m/s], see motion.hpp
   std::vector<BodyPlace> places;  ///< of the bodies
   std::vector<MeanLoad> loads;    ///< on them, over the step that led here
+  /// Area [m²] and ∫u [m³/s], x and y, of the fluid in each cell, here and at the start of the step that led
+  /// here; empty where no bodies move, or not known.
+  Vector fluid_in_cells, previous_fluid_in_cells;
   int damped_steps = -1;          ///< that a sudden start still takes; −1: not known before the first step
   std::array<double, n_orders> prediction_errors{};  ///< of each order in the last steps [m²/s²]
 

@@ -351,6 +351,12 @@ Vector System::velocity_weight() const {
   return weight;
 }
 
+std::vector<std::uint8_t> System::wet_nodes() const {
+  std::vector<std::uint8_t> wet = numbering_.node_is_active;
+  for (const CoveredNode& covered : cut_.covered) wet[covered.node] = 0;
+  return wet;
+}
+
 double System::speed(const Vector& u) const {
   double squares = 0, n_active = 0;
   for (Index node = 0; node < space_.mesh.n_nodes(); ++node) {

@@ -29,6 +29,27 @@ struct Fields {
   Vector drive;   ///< size of each drive [Pa/m or Pa]
 };
 
+/// Cells that move together, with what their momentum takes, see momentum_balance.hpp.
+struct MovingPart {
+  using Square = Eigen::Matrix<double, 6, 6>;
+  struct Cell {
+    std::array<Index, 6> nodes;
+    Padded shape;                  ///< ∫N_i [m²]
+    Padded growth;                 ///< ∫N_i ∇·w [m²/s]
+    std::array<Square, 2> slopes;  ///< ∫N_i ∂N_j/∂x and /∂y [m]
+  };
+  struct OutlinePoint {
+    std::array<Index, 6> nodes;
+    Padded shape;
+    Vec2 normal;   ///< out of the fluid, times the point's weight [m]
+    double given;  ///< what is to pass there, n·w and what the body lets through [m²/s]
+  };
+  std::vector<Cell> cells;
+  std::vector<OutlinePoint> outline;
+  double area = 0;           ///< of the fluid [m²]
+  Vec2 made = Vec2::Zero();  ///< momentum that the history makes, over ρ Δt [m³/s²]
+};
+
 /// The acceleration as a function of the velocity: a = inertia · u − history (paper, eq. 10). Where nodes
 /// move with bodies both are taken along their paths, and what is missing of ∂u/∂t, (∇u) drift, joins
 /// convection.
@@ -38,6 +59,8 @@ struct TimeTerms {
   Vector drift;                       ///< x, y of each node: velocity of its path [m/s]; empty: all stay
   std::vector<std::uint8_t> follows;  ///< cells whose history is not of nodes but in `load`; empty: none
   Vector load;                        ///< x, y of each node: ∫ w · history over these cells [m³/s²]
+  Vector carried;                 ///< x, y of each cell: ∫ history over it, if it is one of these [m³/s²]
+  std::vector<MovingPart> parts;  ///< whose momentum is kept
 
   static TimeTerms steady(Index n_nodes) {
     TimeTerms terms;
@@ -131,7 +154,9 @@ class System {
   Eigen::MatrixXd resistance(const Background& background) const;
   /// 1 for each equation of a velocity, 0 for all else: that follows from the velocities.
   Vector velocity_weight() const;
-  /// Root mean square of a velocity at the nodes in the fluid [m/s].
+  /// 1 for each node in the fluid itself, 0 also where an active element reaches into a body.
+  std::vector<std::uint8_t> wet_nodes() const;
+  /// Root mean square of a velocity at the nodes of active elements [m/s].
   double speed(const Vector& u) const;
   /// "the largest residual is at (x, y) m", of the gathered residual.
   std::string largest_residual(const Vector& gathered) const;

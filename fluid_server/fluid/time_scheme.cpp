@@ -1,5 +1,7 @@
 #include "fluid/time_scheme.hpp"
 
+#include <cmath>
+
 namespace fpi::fluid {
 
 Scheme Scheme::newmark(double time_step, double gamma) {
@@ -55,19 +57,45 @@ std::array<double, n_orders> prediction_errors(const State& start, const Vector&
   return errors;
 }
 
-/// Where both are of second order the step is off by own · Δt³ u‴ and the prediction by (1/6 + 1/(4ω)) Δt³ u‴
-/// to the other side.
-TimeError time_error(const Scheme& scheme, const State& start, const Vector& u, double time_step) {
+namespace {
+
+/// Over the nodes that count.
+double norm(const Vector& u, const std::vector<std::uint8_t>& node_counts) {
+  double sum = 0;
+  for (std::size_t node = 0; node < node_counts.size(); ++node)
+    if (node_counts[node]) sum += u.segment<2>(2 * static_cast<Eigen::Index>(node)).squaredNorm();
+  return std::sqrt(sum);
+}
+
+/// [tⁿ⁺¹, tⁿ, tⁿ⁻¹, tⁿ⁻²] u = u‴/6, the oldest velocity taken from the acceleration that it left in aⁿ.
+Vector third_difference(const State& start, const Vector& u, double time_step) {
+  const double before = start.previous_step;
+  const Vector slope = (start.u - start.previous_u) / before;
+  const Vector bend = ((u - start.u) / time_step - slope) / (time_step + before);
+  const Vector bend_before = (start.acceleration - slope) / before;
+  return (bend - bend_before) / (time_step + before + start.step_before);
+}
+
+}  // namespace
+
+/// Newmark's method of second order is off by Δt³ u‴/12 and the prediction by (1/6 + 1/(4ω)) Δt³ u‴ to the
+/// other side, BDF2 by (1 + ω)² Δt³ u‴/(6ω (1 + 2ω)).
+TimeError time_error(const Scheme& scheme, const State& start, const Vector& u, double time_step,
+                     const std::vector<std::uint8_t>& node_counts) {
   if (!start.has_acceleration || !start.has_previous_acceleration) return {};
-  const double size = u.norm();
+  const double size = norm(u, node_counts);
   const double first_order = 0.5 * (1 - scheme.acceleration);  // (γ − ½)/γ, at γ = ½ 0 to the bit
   if (size == 0) return {0, 3};
   if (!scheme.is_bdf2() && first_order > 0)
-    return {first_order * (u - start.u - time_step * start.acceleration).norm() / size, 2};
+    return {first_order * norm(u - start.u - time_step * start.acceleration, node_counts) / size, 2};
   const double omega = time_step / start.previous_step;
-  const double own = scheme.is_bdf2() ? (1 + omega) * (1 + omega) / (6 * omega * (1 + 2 * omega)) : 1.0 / 12;
-  const double share = own / (own + 1.0 / 6 + 1 / (4 * omega));
-  return {share * (u - predicted_velocity(start, time_step)).norm() / size, 3};
+  if (scheme.is_bdf2()) {
+    const double own = (1 + omega) * (1 + omega) / (omega * (1 + 2 * omega));
+    return {own * std::pow(time_step, 3) * norm(third_difference(start, u, time_step), node_counts) / size,
+            3};
+  }
+  const double own = 1.0 / 12, share = own / (own + 1.0 / 6 + 1 / (4 * omega));
+  return {share * norm(u - predicted_velocity(start, time_step), node_counts) / size, 3};
 }
 
 }  // namespace fpi::fluid

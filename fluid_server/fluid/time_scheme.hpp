@@ -45,12 +45,15 @@ int best_order(const State& state);
 std::array<double, n_orders> prediction_errors(const State& start, const Vector& u, double time_step,
                                                const std::vector<std::uint8_t>& node_counts);
 
-/// Error of a step in time, relative to the velocity, from its distance to the prediction (P. M. Gresho, R.
-/// L. Lee, R. L. Sani, On the time-dependent solution of the incompressible Navier–Stokes equations, 1980).
+/// Error of a step in time, relative to the velocity, at the nodes that count: by Newmark's method from its
+/// distance to the prediction (P. M. Gresho, R. L. Lee, R. L. Sani, On the time-dependent solution of the
+/// incompressible Navier–Stokes equations, 1980), by BDF2 from the third divided difference of the last four
+/// velocities, which holds whatever the steps between them are.
 struct TimeError {
   double relative = 0;  ///< 0: the history is too short to tell
   int power = 0;        ///< of Δt that the error of a step goes with
 };
-TimeError time_error(const Scheme& scheme, const State& start, const Vector& u, double time_step);
+TimeError time_error(const Scheme& scheme, const State& start, const Vector& u, double time_step,
+                     const std::vector<std::uint8_t>& node_counts);
 
 }  // namespace fpi::fluid

@@ -8,12 +8,6 @@
 namespace fpi::fluid {
 namespace {
 
-/// Unit normal out of the body.
-Vec2 normal(const Outline& outline, const ArcPoint& point) {
-  if (const Polygon* polygon = outline.polygon()) return polygon->normal(point.parameter);
-  return (point.x - outline.disc()->centre).normalized();
-}
-
 struct OutlineFlow {
   double body = 0, fluid = 0;  ///< ∫V·n and ∫u·n, n out of the bodies [m²/s]
 };
@@ -27,7 +21,7 @@ OutlineFlow through_outlines(const System& system, const Vector& u) {
     for (const ArcPoint& point : arc_points(space, interface, piece)) {
       Vec2 velocity = Vec2::Zero();
       for (int i = 0; i < 6; ++i) velocity += point.shape[i] * u.segment<2>(2 * nodes[i]);
-      const Vec2 n = point.weight * normal(interface.outline, point);
+      const Vec2 n = point.weight * interface.outline.normal(point.parameter);
       flow.body += n.dot(interface.velocity(piece.arc, point.parameter));
       flow.fluid += n.dot(velocity);
     }
@@ -70,7 +64,7 @@ std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
     if (!part.is_given) continue;
     for (const ArcPoint& point : arc_points(space, interface, piece)) {
       const double inflow =
-          point.weight * normal(interface.outline, point).dot(interface.velocity(piece.arc, point.parameter));
+          point.weight * interface.outline.normal(point.parameter).dot(interface.velocity(piece.arc, point.parameter));
       part.net += inflow;
     }
   }
