@@ -39,6 +39,7 @@ void Run::start(const Files& files) {
 void Run::start_suddenly() {
   const std::optional<Attempt> impulse = simulation_.start_suddenly(window_.step());
   if (!impulse) return;
+  window_.start_suddenly();
   if (impulse->converged)
     log::info("bodies or fluid start with a velocity: the impulse between them at the start was solved for");
   else

@@ -22,6 +22,7 @@ TimeWindow::TimeWindow(const scene::Time& time, double output_interval)
       end_(time.end),
       interval_(output_interval),
       adapts_(time.adapts()),
+      bounds_error_(time.relative_tolerance > 0),
       smallest_(time.min_step > 0 ? time.min_step : 1e-3 * time.step),
       largest_allowed_(largest_allowed(time)),
       max_halvings_(static_cast<int>(time.max_halvings)),
@@ -59,6 +60,13 @@ double TimeWindow::wanted_step(std::span<const Demand> demands) const {
   for (const Demand& demand : demands)
     factor = std::min(factor, safety * std::pow(demand.excess, -1 / demand.order));
   return std::clamp(step_ * std::max(factor, 1 / most_shrinkage), smallest_, largest_allowed_);
+}
+
+void TimeWindow::start_suddenly() {
+  if (!bounds_error_) return;
+  constexpr double share = 1.0 / 64;
+  largest_ = std::max(smallest_, share * largest_);
+  plan(start());
 }
 
 Verdict TimeWindow::judge(std::span<const Demand> demands) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -276,6 +277,26 @@ TEST(AdaptiveSteps, without_an_error_a_halved_step_grows_back_to_the_given_one) 
   EXPECT_NEAR(window.step(), 0.025, 1e-3);
   for (int k = 0; k < 3 * TimeWindow::successes_to_regrow; ++k) window.accept();
   EXPECT_NEAR(window.step(), 0.1, 1e-3);
+}
+
+TEST(AdaptiveSteps, a_sudden_start_begins_with_short_steps_and_grows_to_what_its_errors_allow) {
+  scene::Time time = of(0.02, 1);
+  time.relative_tolerance = 1e-3;
+  TimeWindow window(time, 0);
+  window.start_suddenly();
+  const double first = window.step();
+  EXPECT_NEAR(first, 0.02 / 64, 0.02 * first);
+  window.accept();
+  window.accept();
+  EXPECT_EQ(window.step(), first);  // no error is known yet
+  for (int k = 0; k < 5; ++k) window.accept(std::array{Demand{.what = "error", .excess = 1e-9, .order = 3}});
+  EXPECT_NEAR(window.step(), 32 * first, 0.1 * 32 * first);
+}
+
+TEST(AdaptiveSteps, a_sudden_start_leaves_steps_alone_whose_errors_are_not_bounded) {
+  TimeWindow window(of(0.02, 1), 0);
+  window.start_suddenly();
+  EXPECT_EQ(window.step(), 0.02);
 }
 
 TEST(AdaptiveSteps, the_step_and_the_smallest_one_may_be_beyond_the_end) {
