@@ -29,15 +29,31 @@ struct Partition {
   Index n = 0;
 };
 
-Partition partition(const Mesh& mesh, const Vector& displacement, const Vector& drift) {
-  const auto moves = [&](Index node) {
-    return !displacement.segment<2>(2 * node).isZero(0) || !drift.segment<2>(2 * node).isZero(0);
-  };
+/// A body whose place is kept for a while, as it has hardly left it, moves too: the fluid passes its outline.
+bool moves(const Interface& interface) {
+  const bool turns = interface.rigid.spin != 0 && !interface.outline.disc();
+  return turns || !interface.rigid.translation.isZero(0);
+}
+
+/// 1 for each node that moves or lies at the outline of a body that does.
+std::vector<std::uint8_t> moving_nodes(const System& system, const Vector& displacement,
+                                       const Vector& drift) {
+  const Mesh& mesh = system.space().mesh;
+  std::vector<std::uint8_t> out(mesh.n_nodes());
+  for (Index node = 0; node < mesh.n_nodes(); ++node)
+    out[node] = !displacement.segment<2>(2 * node).isZero(0) || !drift.segment<2>(2 * node).isZero(0);
+  for (const ArcPiece& piece : system.cut().pieces)
+    if (moves(system.interfaces()[piece.interface]))
+      for (const Index node : mesh.cell_nodes(piece.cell)) out[node] = 1;
+  return out;
+}
+
+Partition partition(const Mesh& mesh, const std::vector<std::uint8_t>& moves) {
   Sets sets(mesh.n_nodes());
   std::vector<Index> mover(mesh.n_cells(), -1);  // a node of the cell that moves
   for (Index c = 0; c < mesh.n_cells(); ++c)
     for (const Index node : mesh.cell_nodes(c)) {
-      if (!moves(node)) continue;
+      if (moves[node] == 0) continue;
       if (mover[c] >= 0) sets.join(mover[c], node);
       mover[c] = node;
     }
@@ -143,14 +159,16 @@ std::vector<MovingPart> moving_parts(const System& system, const Vector& displac
                                      const Scheme& scheme, const TimeTerms& time) {
   if (accepted.fluid_in_cells.size() == 0) return {};
   const Mesh& mesh = system.space().mesh;
-  const Partition of = partition(mesh, displacement, accepted.drift);
+  const Partition of = partition(mesh, moving_nodes(system, displacement, accepted.drift));
+  const Vector stays = Vector::Zero(time.moves() ? 0 : 2 * static_cast<Eigen::Index>(mesh.n_nodes()));
+  const Vector& drift = time.moves() ? time.drift : stays;
   std::vector<MovingPart> parts(of.n);
   for (std::size_t k = 0; k < system.active_cells().size(); ++k) {
     const Index c = system.active_cells()[k];
     if (of.of_cell[c] < 0) continue;
     MovingPart& part = parts[of.of_cell[c]];
     const MovingPart::Cell& cell =
-        part.cells.emplace_back(integrals(mesh.cell_nodes(c), system.quadrature(k), time.drift));
+        part.cells.emplace_back(integrals(mesh.cell_nodes(c), system.quadrature(k), drift));
     part.area += cell.shape.sum();
     if (time.follows_path(c))
       part.made -= time.carried.segment<2>(2 * c);
@@ -159,7 +177,7 @@ std::vector<MovingPart> moving_parts(const System& system, const Vector& displac
   }
   for (const ArcPiece& piece : system.cut().pieces) {
     const Index part = of.of_cell[piece.cell];
-    if (part >= 0) add_outline(system, piece, time.drift, parts[part]);
+    if (part >= 0) add_outline(system, piece, drift, parts[part]);
   }
   const Contents now = contents(of, accepted.fluid_in_cells);
   const bool has_past = accepted.previous_fluid_in_cells.size() > 0;

@@ -138,11 +138,11 @@ void NavierStokes::set_time_terms(const Request& request) {
     displacement_ = displacement(space_, request.interfaces, accepted_.places, step);
     if (displacement_.isZero(0) && accepted_.drift.isZero(0)) {
       time_terms_ = time_terms(scheme_, start_);
-      return;
+    } else {
+      start_ = along_paths(space_, displacement_, start_);
+      time_terms_ = time_terms(scheme_, start_, displacement_);
+      follow_paths(*system_, displacement_, accepted_, scheme_, time_terms_);
     }
-    start_ = along_paths(space_, displacement_, start_);
-    time_terms_ = time_terms(scheme_, start_, displacement_);
-    follow_paths(*system_, displacement_, accepted_, scheme_, time_terms_);
     time_terms_.parts = moving_parts(*system_, displacement_, accepted_, scheme_, time_terms_);
   }
 }
