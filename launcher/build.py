@@ -27,10 +27,16 @@ def build(preset: str = "release", jobs: int | None = None, quiet: bool = False,
     with (folder / "fpi.lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # a second ./fpi waits for the first, then finds the work done
         log.write_text("")
-        if not (folder / "build.ninja").exists():
+        if not is_configured(folder):
             follow(["cmake", "--preset", preset], log, f"configuring {preset}", quiet)
         cores = jobs or os.cpu_count() or 1
         follow(["ninja", "-C", str(folder), "-j", str(cores), *targets], log, f"building {preset}", quiet, cores)
+
+
+def is_configured(folder: Path) -> bool:
+    """Whether a build has the values of the presets as they are now."""
+    cache, presets = folder / "CMakeCache.txt", ROOT / "CMakePresets.json"
+    return (folder / "build.ninja").exists() and cache.exists() and cache.stat().st_mtime >= presets.stat().st_mtime
 
 
 def test(preset: str, everything: bool, jobs: int | None = None, quiet: bool = False) -> int:
