@@ -14,6 +14,7 @@ from launcher.processes import end_with_the_launcher
 PRESETS = ("release", "dev", "asan", "tsan")
 PROGRAMS = ("coupler", "dem_server", "fluid_server")  # what a run needs
 EVERYTHING = ("all",)
+CONFIGURED = "fpi.configured"  # changes with each configuration, which CMake's own files need not
 SECONDS_A_STEP = 8  # of one core: the mean over the steps of a release build, for the estimate before the first of them ends
 
 
@@ -29,14 +30,15 @@ def build(preset: str = "release", jobs: int | None = None, quiet: bool = False,
         log.write_text("")
         if not is_configured(folder):
             follow(["cmake", "--preset", preset], log, f"configuring {preset}", quiet)
+            (folder / CONFIGURED).touch()
         cores = jobs or os.cpu_count() or 1
         follow(["ninja", "-C", str(folder), "-j", str(cores), *targets], log, f"building {preset}", quiet, cores)
 
 
 def is_configured(folder: Path) -> bool:
     """Whether a build has the values of the presets as they are now."""
-    cache, presets = folder / "CMakeCache.txt", ROOT / "CMakePresets.json"
-    return (folder / "build.ninja").exists() and cache.exists() and cache.stat().st_mtime >= presets.stat().st_mtime
+    stamp, presets = folder / CONFIGURED, ROOT / "CMakePresets.json"
+    return (folder / "build.ninja").exists() and stamp.exists() and stamp.stat().st_mtime >= presets.stat().st_mtime
 
 
 def test(preset: str, everything: bool, jobs: int | None = None, quiet: bool = False) -> int:

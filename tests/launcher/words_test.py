@@ -227,13 +227,13 @@ class Build(unittest.TestCase):
 
     def test_a_build_is_configured_again_after_a_change_of_the_presets(self):
         with tempfile.TemporaryDirectory() as folder, mock.patch.object(build, "ROOT", Path(folder)):
-            presets, cache = Path(folder) / "CMakePresets.json", Path(folder) / "CMakeCache.txt"
+            presets, stamp = Path(folder) / "CMakePresets.json", Path(folder) / build.CONFIGURED
             presets.touch()
             self.assertFalse(build.is_configured(Path(folder)))
-            for path in (cache, Path(folder) / "build.ninja"):
+            for path in (stamp, Path(folder) / "build.ninja"):
                 path.touch()
             self.assertTrue(build.is_configured(Path(folder)))
-            os.utime(cache, (1, 1))
+            os.utime(stamp, (1, 1))
             self.assertFalse(build.is_configured(Path(folder)))
 
     def test_a_build_says_how_long_it_will_take_and_where_its_log_is(self):
