@@ -17,7 +17,7 @@ CommandLine read_coupler_command_line(int argc, char** argv) {
   std::string plan, check;
   bool reference = false;
   CLI::App app("Reads a scene, couples its participants and writes the results.", "coupler");
-  app.set_version_flag("--version", fpi::version);
+  app.set_version_flag("--version", version_text("coupler"));
   CLI::Option* scene = app.add_option("--scene", session.scene, "scene file to run");
   CLI::Option* out = app.add_option("--out", session.folder, "folder of the results");
   app.add_option("--set", session.overrides, "key=value instead of what the scene says")

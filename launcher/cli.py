@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from launcher import build, display, report, run, scenes, trust
-from launcher.common import MISUSED, ROOT, Refusal, program, programs, require_plain
+from launcher.common import MISUSED, ROOT, VERSION, Refusal, program, programs, require_plain
 from launcher.ending import document
 from launcher.processes import answer, ended
 
@@ -30,6 +30,7 @@ def carry_out(words: list[str]) -> int:
 
 def parser() -> argparse.ArgumentParser:
     top = Parser(prog="fpi", description="Resolved fluid-particle interaction: runs, pictures, tests.")
+    top.add_argument("--version", action="version", version=f"fpi {VERSION.read_text().strip()}")
     words = top.add_subparsers(title="words", metavar="WORD", required=True)
 
     def word(name, do, text, scene=False):
@@ -72,7 +73,8 @@ def parser() -> argparse.ArgumentParser:
     meshing.add_argument("--size", type=factor, default=1.0, metavar="F", help="scales all element sizes (default 1)")
     meshing.add_argument("--out", type=Path, metavar="FILE", help="the mesh file (default: .msh beside the geometry)")
     word("list", do_list, "name the scenes that come with fpi")
-    building = word("build", do_build, "install what is missing and build")
+    building = word("build", do_build, "install what is missing and build the programs")
+    building.add_argument("--all", action="store_true", help="the tests, too")
     building.add_argument("--preset", choices=build.PRESETS, default="release")
     building.add_argument("--jobs", type=positive, metavar="N", help="compilers at a time (default: all cores)")
     testing = word("test", do_test, "build and run the tests")
@@ -290,13 +292,13 @@ def do_list(_arguments) -> int:
 
 def do_build(arguments) -> int:
     ensure_packages()
-    build.build(arguments.preset, arguments.jobs)
+    build.build(arguments.preset, arguments.jobs, targets=build.EVERYTHING if arguments.all else build.PROGRAMS)
     return 0
 
 
 def do_test(arguments) -> int:
     ensure_packages()
-    build.build(arguments.preset, arguments.jobs)
+    build.build(arguments.preset, arguments.jobs, targets=build.EVERYTHING)
     return build.test(arguments.preset, arguments.all, arguments.jobs)
 
 
@@ -314,7 +316,7 @@ def do_demo(_arguments) -> int:
 
 def do_bench(arguments) -> int:
     ensure_packages()
-    build.build()
+    build.build(targets=(*build.PROGRAMS, *(["interface_noise"] if arguments.subject == "noise" else [])))
     script = ROOT / "bench" / f"{arguments.subject}.py"
     # Ctrl-C ends the script as it ends the launcher, without a traceback.
     start = ("import runpy, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); sys.argv.pop(0); "
@@ -325,7 +327,7 @@ def do_bench(arguments) -> int:
 
 
 def do_stress(arguments) -> int:
-    ensure_programs(arguments.json)
+    ensure_programs(arguments.json, *(["interface_stress"] if arguments.subject == "interface" else []))
     from launcher import stress
 
     sweep = stress.Sweep(arguments.subject, arguments.seed, arguments.cases, arguments.only, arguments.quick)
@@ -354,12 +356,14 @@ def do_keys(arguments) -> int:
     return 0
 
 
-def ensure_programs(quiet: bool) -> None:
-    """Sets up and builds where the programs are not there yet; the words `build` and `test` bring them up to date."""
-    if (programs() / "coupler").exists() or os.environ.get("FPI_BIN"):
+def ensure_programs(quiet: bool, *more: str) -> None:
+    """Sets up and builds where the programs of a run, or `more`, are not there yet; the words `build` and `test` bring
+    them up to date."""
+    needed = (*build.PROGRAMS, *more)
+    if os.environ.get("FPI_BIN") or all((programs() / name).exists() for name in needed):
         return
     ensure_packages(quiet)
-    build.build(quiet=quiet)
+    build.build(quiet=quiet, targets=needed)
 
 
 def ensure_packages(quiet: bool = False) -> None:

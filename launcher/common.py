@@ -8,6 +8,10 @@ import stat
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+VERSION = ROOT / "VERSION"
+IS_INSTALLED = not (ROOT / "CMakeLists.txt").exists()  # rather than a clone, in which programs are built
+# Of processors of the level x86-64-v3; virtual machines may hide abm (lzcnt), which all that have BMI and AVX2 have.
+V3_FLAGS = {"avx", "avx2", "bmi1", "bmi2", "f16c", "fma", "movbe", "xsave"}
 FAILED, MISUSED = 1, 2  # exit statuses: the request failed, the command line is wrong
 
 
@@ -21,8 +25,18 @@ class Refusal(Exception):
 
 
 def programs(preset: str = "release") -> Path:
-    """The folder of the built programs; the variable FPI_BIN names another, e.g. one built with sanitizers."""
-    return Path(os.environ.get("FPI_BIN") or ROOT / "build" / preset / "bin")
+    """The folder of the programs; the variable FPI_BIN names another, e.g. one built with sanitizers."""
+    return Path(os.environ.get("FPI_BIN") or (installed_programs() if IS_INSTALLED else ROOT / "build" / preset / "bin"))
+
+
+def installed_programs() -> Path:
+    """The best of the installed builds that this machine's processor can run."""
+    with contextlib.suppress(OSError, StopIteration):
+        with open("/proc/cpuinfo", encoding="ascii", errors="replace") as lines:
+            flags = set(next(line for line in lines if line.startswith("flags")).split())
+        if flags >= V3_FLAGS and (ROOT / "bin-v3").is_dir():
+            return ROOT / "bin-v3"
+    return ROOT / "bin"
 
 
 def program(name: str) -> Path:

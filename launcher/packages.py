@@ -6,12 +6,13 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from launcher.common import ROOT, Refusal, read_text
+from launcher.common import IS_INSTALLED, ROOT, Refusal, read_text
 from launcher.processes import ended
 
 BUILD = {
     "g++": "compiles the programs (C++20)",
     "cmake": "configures the build",
+    "dpkg-dev": "finds what a package of the programs depends on",
     "ninja-build": "runs the build on all cores",
     "pkg-config": "finds the libraries below",
     "libeigen3-dev": "dense and sparse matrices",
@@ -37,7 +38,7 @@ RUN = {
     "python3-h5py": "reads results for the pictures",
     "python3-matplotlib": "draws the pictures",
 }
-NEEDED = BUILD | RUN
+NEEDED = RUN if IS_INSTALLED else BUILD | RUN
 STATUS = Path("/var/lib/dpkg/status")  # changes with every package
 MEMORY = ROOT / "build" / "packages"  # what the last good answer of dpkg rested on
 

@@ -29,7 +29,7 @@ Connection read_command_line(int argc, char** argv, const std::string& program,
       ->excludes(token);
   app.add_option("--log", log_file, "file that the log is written to, besides warnings on the terminal");
   app.add_option("--scene", connection.scene_fingerprint, "fingerprint of the only scene to take part in");
-  app.set_version_flag("--version", program + " " + version);
+  app.set_version_flag("--version", version_text(program));
   constexpr int bad_options = 2;
   try {
     app.parse(argc, argv);

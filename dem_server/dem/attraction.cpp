@@ -9,12 +9,12 @@ namespace fpi::dem {
 namespace {
 
 /// A pull that is constant while the surfaces touch and falls linearly to zero at a gap of `range`.
-struct Pull {
+struct Adhesion {
   double most;   ///< [N]
   double range;  ///< [m]
 };
 
-Pull adhesion(const Model& model, const Near& near) {
+Adhesion adhesion(const Model& model, const Near& near) {
   const double Ra = model.bodies.radius[near.a];
   const double radius = near.wall() ? Ra : 1 / (1 / Ra + 1 / model.bodies.radius[near.b]);
   return {1.5 * std::numbers::pi * near.law.adhesion * radius, model.adhesion_range * radius};
@@ -33,7 +33,7 @@ double work_to(double cut_off, double d, double coefficient, double exponent) {
 }  // namespace
 
 double attraction(const Model& model, const Near& near) {
-  const Pull pull = adhesion(model, near);
+  const Adhesion pull = adhesion(model, near);
   const double held = std::clamp(1 - near.at.gap / pull.range, 0.0, 1.0);
   double force = pull.most * held;
   const scene::NearField& f = model.near_field;
@@ -46,7 +46,7 @@ double attraction(const Model& model, const Near& near) {
 }
 
 double attraction_energy(const Model& model, const Near& near) {
-  const Pull pull = adhesion(model, near);
+  const Adhesion pull = adhesion(model, near);
   const double gap = near.at.gap, left = std::clamp(pull.range - gap, 0.0, pull.range);
   double energy = -pull.most * (0.5 * left * left / pull.range + std::max(-gap, 0.0));
   const scene::NearField& f = model.near_field;
@@ -59,7 +59,7 @@ double attraction_energy(const Model& model, const Near& near) {
 }
 
 double attraction_stiffness(const Model& model, const Near& near) {
-  const Pull pull = adhesion(model, near);
+  const Adhesion pull = adhesion(model, near);
   double stiffness = pull.most / pull.range;
   if (near.wall()) return stiffness;
   const scene::NearField& f = model.near_field;

@@ -6,8 +6,6 @@
 namespace fpi::dem {
 namespace {
 
-Record join(const Vec3& v, double w) { return {v.x(), v.y(), v.z(), w}; }
-
 /// A rolling spring holds what the lower particle did over the higher one; in the scene a < b may be the
 /// other way round.
 double direction(bool swapped) { return swapped ? -1 : 1; }

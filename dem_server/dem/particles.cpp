@@ -3,8 +3,6 @@
 namespace fpi::dem {
 namespace {
 
-Record join(const Vec3& v, double fourth) { return {v.x(), v.y(), v.z(), fourth}; }
-
 std::size_t padded(std::size_t n) { return (n + n_lanes - 1) / n_lanes * n_lanes; }
 
 bool is_weight_only(const Model& model, const Forces& loads) {

@@ -8,6 +8,8 @@ namespace fpi::dem {
 
 using Record = Eigen::Vector4d;
 
+inline Record join(const Vec3& v, double fourth) { return {v.x(), v.y(), v.z(), fourth}; }
+
 /// What belongs to the centre and to the turning about it.
 struct alignas(64) Twin {
   Record linear = Record::Zero(), angular = Record::Zero();

@@ -32,9 +32,9 @@ constexpr Index widest_narrow = 400000;  ///< unknowns; one of 983 000 needs the
 
 /// The pattern of a matrix in the integers of the calls.
 template <class Int>
-class Pattern {
+class ColumnPattern {
  public:
-  explicit Pattern(const BlockMatrix& matrix)
+  explicit ColumnPattern(const BlockMatrix& matrix)
       : start_(matrix.column_start().begin(), matrix.column_start().end()),
         row_(matrix.row().begin(), matrix.row().end()) {}
   const Int* start() const { return start_.data(); }
@@ -44,9 +44,9 @@ class Pattern {
   std::vector<Int> start_, row_;
 };
 template <>
-class Pattern<Index> {
+class ColumnPattern<Index> {
  public:
-  explicit Pattern(const BlockMatrix& matrix) : matrix_(matrix) {}
+  explicit ColumnPattern(const BlockMatrix& matrix) : matrix_(matrix) {}
   const Index* start() const { return matrix_.column_start().data(); }
   const Index* row() const { return matrix_.row().data(); }
 
@@ -83,7 +83,7 @@ class UmfpackFactor final : public Factor {
   UmfpackFactor(void* symbolic, const BlockMatrix& matrix) : Factor(matrix.n()) {
     const Control control = control_for(n_);
     Info info;
-    const Pattern<typename Calls::Int> pattern(matrix);
+    const ColumnPattern<typename Calls::Int> pattern(matrix);
     const auto status = static_cast<int>(Calls::numeric(pattern.start(), pattern.row(), matrix.values(),
                                                         symbolic, &numeric_, control.data(), info.data()));
     check(status, "factorisation", n_);
@@ -117,7 +117,7 @@ class UmfpackAnalysis final : public Analysis {
   explicit UmfpackAnalysis(const BlockMatrix& matrix) : Analysis(matrix) {
     const Control control = control_for(matrix.n());
     Info info;
-    const Pattern<typename Calls::Int> pattern(matrix);
+    const ColumnPattern<typename Calls::Int> pattern(matrix);
     const auto status =
         static_cast<int>(Calls::symbolic(matrix.n(), matrix.n(), pattern.start(), pattern.row(), nullptr,
                                          &symbolic_, control.data(), info.data()));

@@ -8,12 +8,12 @@
 namespace fpi::proto {
 
 template <class Owner, class Value>
-struct Member {
+struct NamedMember {
   const char* name;
   Value Owner::*pointer;
 };
 template <class Owner, class Value>
-constexpr Member<Owner, Value> member(const char* name, Value Owner::*pointer) {
+constexpr NamedMember<Owner, Value> member(const char* name, Value Owner::*pointer) {
   return {name, pointer};
 }
 

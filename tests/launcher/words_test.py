@@ -15,7 +15,7 @@ from unittest import mock
 
 from fakes import FakeTest
 
-from launcher import build, common, mesh, packages, processes, report, run, scenes
+from launcher import build, cli, common, mesh, packages, processes, report, run, scenes
 
 
 class Words(FakeTest):
@@ -213,6 +213,37 @@ class Build(unittest.TestCase):
             self.assertTrue(str(refused.exception).startswith("FAILED: a.o\na.cpp:1: error"))
             self.assertIn("noise", log.read_text())
 
+    def test_a_run_needs_the_programs_only_and_the_tests_need_all(self):
+        for words, targets in ((["build"], build.PROGRAMS), (["build", "--all"], build.EVERYTHING), (["test"], build.EVERYTHING)):
+            with mock.patch.object(build, "build") as built, mock.patch.object(build, "test", return_value=0), \
+                 mock.patch.object(cli, "ensure_packages"):
+                cli.carry_out(words)
+            self.assertEqual(built.call_args.kwargs["targets"], targets)
+        with mock.patch.object(build, "build") as built, mock.patch.object(cli, "ensure_packages"), \
+             mock.patch.object(cli, "programs", return_value=Path("/nowhere")), mock.patch.dict(os.environ):
+            os.environ.pop("FPI_BIN", None)
+            cli.ensure_programs(True)
+        self.assertEqual(built.call_args.kwargs["targets"], build.PROGRAMS)
+
+    def test_a_build_is_configured_again_after_a_change_of_the_presets(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(build, "ROOT", Path(folder)):
+            presets, stamp = Path(folder) / "CMakePresets.json", Path(folder) / build.CONFIGURED
+            presets.touch()
+            self.assertFalse(build.is_configured(Path(folder)))
+            for path in (stamp, Path(folder) / "build.ninja"):
+                path.touch()
+            self.assertTrue(build.is_configured(Path(folder)))
+            os.utime(stamp, (1, 1))
+            self.assertFalse(build.is_configured(Path(folder)))
+
+    def test_a_build_says_how_long_it_will_take_and_where_its_log_is(self):
+        printed = io.StringIO()
+        with tempfile.TemporaryDirectory() as folder, redirect_stdout(printed):
+            log = Path(folder) / "build.log"
+            build.follow(["printf", "[1/1200] a\n"], log, "building", quiet=False, cores=2)
+        minutes = build.SECONDS_A_STEP * 10
+        self.assertIn(f"building: 1200 steps, about {minutes} min on 2 cores; log: {log}", printed.getvalue())
+
     def test_progress_is_a_line_a_quarter_where_there_is_no_terminal(self):
         printed = io.StringIO()
         with redirect_stdout(printed):
@@ -221,6 +252,36 @@ class Build(unittest.TestCase):
                 counter.see(f"[{i}/100] Building")
             counter.close()
         self.assertEqual(printed.getvalue().splitlines(), [f"building: {i} of 100" for i in (25, 50, 75, 100)])
+
+
+class Version(FakeTest):
+    def test_the_launcher_says_it(self):
+        version = common.VERSION.read_text().strip()
+        done = subprocess.run([common.ROOT / "fpi", "--version"], capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout, f"fpi {version}\n")
+
+    def test_the_citation_has_it(self):
+        self.assertIn(f"\nversion: {common.VERSION.read_text().strip()}\n", (common.ROOT / "CITATION.cff").read_text())
+
+
+class Installed(unittest.TestCase):
+    """An installation has no sources, and programs for two kinds of processors."""
+
+    def test_it_takes_the_best_programs_that_the_processor_can_run(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(common, "ROOT", Path(folder)), \
+             mock.patch.object(common, "IS_INSTALLED", True), mock.patch.dict(os.environ):
+            os.environ.pop("FPI_BIN", None)
+            self.assertEqual(common.programs(), Path(folder) / "bin")
+            (Path(folder) / "bin-v3").mkdir()
+            for flags, name in ((common.V3_FLAGS, "bin-v3"), (common.V3_FLAGS - {"fma"}, "bin")):
+                text = "processor : 0\nflags : " + " ".join(flags) + "\n"
+                with mock.patch("builtins.open", mock.mock_open(read_data=text)):
+                    self.assertEqual(common.programs(), Path(folder) / name)
+
+    def test_it_refuses_to_build_with_a_sentence(self):
+        with mock.patch.object(build, "IS_INSTALLED", True), self.assertRaises(common.Refusal) as refused:
+            build.build()
+        self.assertIn("clone", str(refused.exception))
 
 
 class Parts(unittest.TestCase):

@@ -1,0 +1,31 @@
+# `cmake --install`: everything is found from where the launcher is, so the folder may be moved as a whole. A second build
+# (FPI_BIN_FOLDER=bin-v3) goes beside the first; the launcher takes the best that the processor can run.
+set(FPI_BIN_FOLDER bin CACHE STRING "Folder of the programs below lib/fpi")
+install(TARGETS coupler dem_server fluid_server RUNTIME DESTINATION lib/fpi/${FPI_BIN_FOLDER})
+if(FPI_BIN_FOLDER STREQUAL "bin")
+  install(PROGRAMS fpi DESTINATION lib/fpi)
+  install(FILES VERSION DESTINATION lib/fpi)
+  install(DIRECTORY launcher configs DESTINATION lib/fpi PATTERN __pycache__ EXCLUDE)
+  install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION share/doc/fpi)
+  install(FILES LICENSE DESTINATION share/doc/fpi RENAME copyright)
+  install(CODE [[
+    file(MAKE_DIRECTORY "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/bin")
+    file(CREATE_LINK ../lib/fpi/fpi "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/bin/fpi" SYMBOLIC)
+  ]])
+endif()
+
+# A Debian package of the builds `package` and, where it is there, `package-v3`: cpack --config build/package/CPackConfig.cmake
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "the fpi authors <fpi@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Resolved fluid-particle interaction")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= 3.11), python3-rich, python3-h5py, python3-matplotlib, libopenblas0-pthread | libopenblas0")
+set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};fpi;ALL;/")
+if(EXISTS ${PROJECT_SOURCE_DIR}/build/package-v3/cmake_install.cmake)
+  list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_SOURCE_DIR}/build/package-v3;fpi;ALL;/")
+endif()
+include(CPack)
