@@ -70,7 +70,7 @@ class Scenes(SceneCase):
         """With friction an arch holds what is left at rest and the pressure up; without, none forms and the pressure is low."""
         summary = self.run_scene("percolation_constriction")
         self.assert_near(self.flow_through(4e-3), 8e-3 * 9e-3, 1e-2)
-        start = self.rows("percolation_constriction_packing.csv")
+        start = self.rows("inputs/percolation_constriction_packing.csv")
         self.assert_nothing_is_lost(summary["outlets"][0], start)
         held, clogged = summary["grains"][0], self.history()
         self.assertGreaterEqual(held["count"], 40)
@@ -86,7 +86,7 @@ class Scenes(SceneCase):
     def test_percolation_piping(self):
         """Grains leave one by one, those near the exit first, and what is left resists the flow less."""
         summary = self.run_scene("percolation_piping", "output.fields=false")
-        start, left = self.rows("percolation_piping_packing.csv"), self.rows("left_bodies.csv")
+        start, left = self.rows("inputs/percolation_piping_packing.csv"), self.rows("left_bodies.csv")
         self.assert_nothing_is_lost(summary["outlets"][0], start)
         self.assertGreaterEqual(len(left), 8)
         weir = summary["grains"][0]["count"]
