@@ -1,6 +1,5 @@
 /// Residual and Jacobian of eq. (20): elements, then the ghost penalty, then the multipliers.
 #include "core/parallel.hpp"
-#include "fluid/momentum_balance.hpp"
 #include "fluid/quadrature.hpp"
 #include "fluid/system.hpp"
 

@@ -19,7 +19,4 @@ Vector fluid_in_cells(const System& system, const Vector& u);
 std::vector<MovingPart> moving_parts(const System& system, const Vector& displacement, const State& accepted,
                                      const Scheme& scheme, const TimeTerms& time);
 
-/// Takes what convection and inertia make of momentum [N/m] out of the residual of the nodes.
-void keep_momentum(const Flow& flow, const std::vector<MovingPart>& parts, const Vector& u, Vector& residual);
-
 }  // namespace fpi::fluid

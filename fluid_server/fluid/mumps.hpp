@@ -2,7 +2,8 @@
 /// some ten thousand unknowns on.
 #pragma once
 
-#include "fluid/linear_solver.hpp"
+#include "fluid/factor.hpp"
+#include "fluid/nested_dissection.hpp"
 
 namespace fpi::fluid {
 

@@ -13,6 +13,7 @@
 #include "fluid/free_bodies.hpp"
 #include "fluid/kernel.hpp"
 #include "fluid/linear_solver.hpp"
+#include "fluid/moving_part.hpp"
 #include "fluid/numbering.hpp"
 #include "fluid/space.hpp"
 #include "fluid/zone_correction.hpp"
@@ -27,27 +28,6 @@ struct Fields {
   Vector lambda;  ///< x, y of each multiplier [Pa]
   Vector rigid;   ///< Vx, Vy, ω of each interface [m/s, rad/s]; read of bodies that the fluid moves
   Vector drive;   ///< size of each drive [Pa/m or Pa]
-};
-
-/// Cells that move together, with what their momentum takes, see momentum_balance.hpp.
-struct MovingPart {
-  using Square = Eigen::Matrix<double, 6, 6>;
-  struct Cell {
-    std::array<Index, 6> nodes;
-    Padded shape;                  ///< ∫N_i [m²]
-    Padded growth;                 ///< ∫N_i ∇·w [m²/s]
-    std::array<Square, 2> slopes;  ///< ∫N_i ∂N_j/∂x and /∂y [m]
-  };
-  struct OutlinePoint {
-    std::array<Index, 6> nodes;
-    Padded shape;
-    Vec2 normal;   ///< out of the fluid, times the point's weight [m]
-    double given;  ///< what is to pass there, n·w and what the body lets through [m²/s]
-  };
-  std::vector<Cell> cells;
-  std::vector<OutlinePoint> outline;
-  double area = 0;           ///< of the fluid [m²]
-  Vec2 made = Vec2::Zero();  ///< momentum that the history makes, over ρ Δt [m³/s²]
 };
 
 /// The acceleration as a function of the velocity: a = inertia · u − history (paper, eq. 10). Where nodes

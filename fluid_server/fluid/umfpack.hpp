@@ -1,7 +1,7 @@
 /// UMFPACK: unsymmetric multifrontal LU of SuiteSparse.
 #pragma once
 
-#include "fluid/linear_solver.hpp"
+#include "fluid/factor.hpp"
 
 namespace fpi::fluid {
 
