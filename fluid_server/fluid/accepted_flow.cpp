@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "fluid/mesh/periodic_mesh.hpp"
+#include "fluid/mesh/sample.hpp"
 #include "fluid/navier_stokes.hpp"
-#include "fluid/periodic_mesh.hpp"
-#include "fluid/sample.hpp"
 
 namespace fpi::fluid {
 
