@@ -123,6 +123,9 @@ Scheme NavierStokes::scheme_of_moving_bodies(double time_step) const {
   return Scheme::bdf2(time_step, accepted_.previous_step);
 }
 
+/// Stokes flow stays linear, one solution a step: there bodies carry momentum past the fluid anyway.
+bool NavierStokes::keeps_momentum() const { return settings_.bodies_move && flow_.convection > 0; }
+
 void NavierStokes::set_time_terms(const Request& request) {
   const double step = request.time_step, gamma = settings_.fluid.newmark_gamma;
   if (step == 0) {
@@ -143,7 +146,8 @@ void NavierStokes::set_time_terms(const Request& request) {
       time_terms_ = time_terms(scheme_, start_, displacement_);
       follow_paths(*system_, displacement_, accepted_, scheme_, time_terms_);
     }
-    time_terms_.parts = moving_parts(*system_, displacement_, accepted_, scheme_, time_terms_);
+    if (keeps_momentum())
+      time_terms_.parts = moving_parts(*system_, displacement_, accepted_, scheme_, time_terms_);
   }
 }
 
@@ -269,7 +273,7 @@ void NavierStokes::accept() {
   accepted_.previous_u = std::move(accepted_.u);
   if (displacement_.size() > 0) accepted_.drift = displacement_ / last_->time_step;
   accepted_.previous_fluid_in_cells = std::move(accepted_.fluid_in_cells);
-  if (settings_.bodies_move) accepted_.fluid_in_cells = fluid_in_cells(*system_, fields.u);
+  if (keeps_momentum()) accepted_.fluid_in_cells = fluid_in_cells(*system_, fields.u);
   accepted_.acceleration = time_terms_.acceleration(fields.u);
   accepted_.has_acceleration = last_->time_step > 0 && start_.damped_steps <= 0;
   accepted_.damped_steps = start_.damped_steps > 0 ? start_.damped_steps - 1 : start_.damped_steps;

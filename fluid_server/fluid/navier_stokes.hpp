@@ -151,6 +151,7 @@ class NavierStokes {
   std::vector<BodyTraction> tractions() const;
   void check_held(bool steady) const;
   std::vector<double> times_asked_for(const Request& request) const;
+  bool keeps_momentum() const;
   Vec2 body_velocity(const CoveredNode& covered) const;
   void measure_boundaries();
 
