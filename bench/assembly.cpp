@@ -2,8 +2,8 @@
 #include <chrono>
 #include <cstdio>
 
+#include "fluid/mesh/rectangle.hpp"
 #include "fluid/navier_stokes.hpp"
-#include "fluid/rectangle.hpp"
 
 using namespace fpi;
 using namespace fpi::fluid;

@@ -5,8 +5,8 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
-#include "fluid/footprint.hpp"
-#include "fluid/scene_mesh.hpp"
+#include "fluid/cut/footprint.hpp"
+#include "fluid/discretisation/scene_mesh.hpp"
 #include "grains/expand.hpp"
 #include "measurements.hpp"
 #include "percolation_report.hpp"

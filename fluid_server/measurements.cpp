@@ -1,7 +1,7 @@
 #include "measurements.hpp"
 
 #include "core/error.hpp"
-#include "fluid/profile.hpp"
+#include "fluid/measure/profile.hpp"
 
 namespace fpi::fluid {
 namespace {

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "fluid/mesh/periodic_mesh.hpp"
+#include "fluid/mesh/sample.hpp"
 #include "fluid/navier_stokes.hpp"
-#include "fluid/periodic_mesh.hpp"
-#include "fluid/sample.hpp"
 
 namespace fpi::fluid {
 
@@ -122,6 +122,25 @@ std::map<std::string, double> NavierStokes::found_drives() const {
   for (Index k = 0; k < accepted_system_->drives().size(); ++k)
     out[accepted_system_->drives().all()[k].name] = accepted_drive_[k];
   return out;
+}
+
+/// Sudden starts, ramps and pulses: boundaries are asked at times all over the run.
+Resolution NavierStokes::given_resolution(double end, double time_step) const {
+  constexpr int samples = 16;
+  const double viscosity = flow_.viscosity / flow_.density;
+  Resolution out = fluid::resolution(space_.mesh, {}, accepted_.u, viscosity, time_step);
+  Vector u = Vector::Zero(accepted_.u.size());
+  for (int k = 0; k <= samples; ++k) {
+    space_.boundary.impose(accepted_.time + (end - accepted_.time) * k / samples, u);
+    out.include(fluid::resolution(space_.mesh, {}, u, viscosity, time_step));
+    if (end == accepted_.time) break;
+  }
+  return out;
+}
+
+Resolution NavierStokes::resolution() const {
+  return fluid::resolution(space_.mesh, active_cells(), accepted_.u, flow_.viscosity / flow_.density,
+                           accepted_.previous_step);
 }
 
 }  // namespace fpi::fluid

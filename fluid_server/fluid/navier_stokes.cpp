@@ -4,10 +4,10 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
-#include "fluid/condition.hpp"
-#include "fluid/momentum_balance.hpp"
-#include "fluid/periodic_mesh.hpp"
-#include "fluid/steady.hpp"
+#include "fluid/linear/condition.hpp"
+#include "fluid/mesh/periodic_mesh.hpp"
+#include "fluid/solve/momentum_balance.hpp"
+#include "fluid/solve/steady.hpp"
 
 namespace fpi::fluid {
 namespace {

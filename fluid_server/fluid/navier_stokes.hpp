@@ -10,16 +10,16 @@
 #include <vector>
 
 #include "core/findings.hpp"
-#include "fluid/boundary_traction.hpp"
-#include "fluid/exact.hpp"
-#include "fluid/force_balance.hpp"
-#include "fluid/history.hpp"
-#include "fluid/kept_factor.hpp"
-#include "fluid/motion.hpp"
-#include "fluid/percolation.hpp"
-#include "fluid/resolution.hpp"
-#include "fluid/state.hpp"
-#include "fluid/volume_balance.hpp"
+#include "fluid/base/state.hpp"
+#include "fluid/measure/boundary_traction.hpp"
+#include "fluid/measure/exact.hpp"
+#include "fluid/measure/force_balance.hpp"
+#include "fluid/measure/percolation.hpp"
+#include "fluid/measure/resolution.hpp"
+#include "fluid/measure/volume_balance.hpp"
+#include "fluid/solve/history.hpp"
+#include "fluid/solve/kept_factor.hpp"
+#include "fluid/solve/motion.hpp"
 
 namespace fpi::fluid {
 
@@ -103,7 +103,7 @@ class NavierStokes {
   /// By how much the pressure falls a metre along an axis [Pa/m]: the mean one where that is periodic, else
   /// between the sides of a rectangle; nothing where they have other names.
   std::optional<double> pressure_fall(int axis);
-  /// At vanishing Reynolds number, see fluid/percolation.hpp; factors the Stokes equations.
+  /// At vanishing Reynolds number, see measure/percolation.hpp; factors the Stokes equations.
   Eigen::Matrix2d permeability();
   /// Parts of the fluid that no open boundary gives a pressure level.
   std::size_t n_closed_parts() const;

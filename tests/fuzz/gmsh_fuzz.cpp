@@ -1,5 +1,5 @@
 /// Gmsh meshes: what is taken is a sound mesh; every refusal names the file.
-#include "fluid/gmsh.hpp"
+#include "fluid/mesh/gmsh.hpp"
 #include "fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

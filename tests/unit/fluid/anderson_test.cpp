@@ -1,4 +1,4 @@
-#include "fluid/anderson.hpp"
+#include "fluid/linear/anderson.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fluid/block_matrix.hpp"
+#include "fluid/linear/block_matrix.hpp"
 
 #include <gtest/gtest.h>
 

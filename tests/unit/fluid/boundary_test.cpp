@@ -1,11 +1,11 @@
-#include "fluid/boundary.hpp"
+#include "fluid/discretisation/boundary.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "core/error.hpp"
-#include "fluid/rectangle.hpp"
+#include "fluid/mesh/rectangle.hpp"
 
 namespace fpi::fluid {
 namespace {

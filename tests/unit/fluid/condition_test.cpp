@@ -1,4 +1,4 @@
-#include "fluid/condition.hpp"
+#include "fluid/linear/condition.hpp"
 
 #include <gtest/gtest.h>
 

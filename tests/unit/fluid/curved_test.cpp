@@ -4,11 +4,11 @@
 #include <random>
 
 #include "core/error.hpp"
-#include "fluid/boundary.hpp"
-#include "fluid/circle_fit.hpp"
-#include "fluid/isoparametric.hpp"
-#include "fluid/locator.hpp"
-#include "fluid/quadrature.hpp"
+#include "fluid/base/quadrature.hpp"
+#include "fluid/discretisation/boundary.hpp"
+#include "fluid/mesh/circle_fit.hpp"
+#include "fluid/mesh/isoparametric.hpp"
+#include "fluid/mesh/locator.hpp"
 #include "ring.hpp"
 
 namespace fpi::fluid {

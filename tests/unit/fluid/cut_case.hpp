@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "fluid/cut_mesh.hpp"
-#include "fluid/rectangle.hpp"
+#include "fluid/cut/cut_mesh.hpp"
+#include "fluid/mesh/rectangle.hpp"
 
 namespace fpi::fluid {
 

@@ -1,4 +1,4 @@
-#include "fluid/cut.hpp"
+#include "fluid/cut/cut.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "fluid/element.hpp"
+#include "fluid/base/element.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "fluid/quadrature.hpp"
+#include "fluid/base/quadrature.hpp"
 
 namespace fpi::fluid {
 namespace {

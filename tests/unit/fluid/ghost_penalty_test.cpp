@@ -1,10 +1,10 @@
-#include "fluid/ghost_penalty.hpp"
+#include "fluid/cut/ghost_penalty.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "fluid/rectangle.hpp"
+#include "fluid/mesh/rectangle.hpp"
 
 namespace fpi::fluid {
 namespace {

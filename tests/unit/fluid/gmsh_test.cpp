@@ -1,11 +1,11 @@
-#include "fluid/gmsh.hpp"
+#include "fluid/mesh/gmsh.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "core/error.hpp"
-#include "fluid/scene_mesh.hpp"
+#include "fluid/discretisation/scene_mesh.hpp"
 
 namespace fpi::fluid {
 namespace {

@@ -1,4 +1,4 @@
-#include "fluid/kept_factor.hpp"
+#include "fluid/solve/kept_factor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fluid/kernel.hpp"
+#include "fluid/discretisation/kernel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fluid/knots.hpp"
+#include "fluid/cut/knots.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fluid/linear_solver.hpp"
+#include "fluid/linear/linear_solver.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/error.hpp"
-#include "fluid/bordered_factor.hpp"
+#include "fluid/linear/bordered_factor.hpp"
 
 namespace fpi::fluid {
 namespace {

@@ -1,9 +1,9 @@
 /// Profiles along segments, and errors against an exact flow.
 #include <gtest/gtest.h>
 
-#include "fluid/exact.hpp"
-#include "fluid/profile.hpp"
-#include "fluid/rectangle.hpp"
+#include "fluid/measure/exact.hpp"
+#include "fluid/measure/profile.hpp"
+#include "fluid/mesh/rectangle.hpp"
 
 namespace fpi::fluid {
 namespace {

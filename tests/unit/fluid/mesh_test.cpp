@@ -1,12 +1,12 @@
-#include "fluid/mesh.hpp"
+#include "fluid/mesh/mesh.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "core/error.hpp"
-#include "fluid/locator.hpp"
-#include "fluid/rectangle.hpp"
+#include "fluid/mesh/locator.hpp"
+#include "fluid/mesh/rectangle.hpp"
 
 namespace fpi::fluid {
 namespace {

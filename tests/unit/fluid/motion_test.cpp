@@ -1,10 +1,10 @@
 /// How nodes go with bodies, and what they take along.
-#include "fluid/motion.hpp"
+#include "fluid/solve/motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include "../../verification/fluid/fluid_case.hpp"
-#include "fluid/history.hpp"
+#include "fluid/solve/history.hpp"
 
 namespace fpi::fluid::testing {
 namespace {

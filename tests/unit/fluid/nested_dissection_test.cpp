@@ -1,4 +1,4 @@
-#include "fluid/nested_dissection.hpp"
+#include "fluid/linear/nested_dissection.hpp"
 
 #include <gtest/gtest.h>
 

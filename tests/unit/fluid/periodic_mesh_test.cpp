@@ -1,15 +1,15 @@
-#include "fluid/periodic_mesh.hpp"
+#include "fluid/mesh/periodic_mesh.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "core/error.hpp"
-#include "fluid/ghost_penalty.hpp"
-#include "fluid/locator.hpp"
-#include "fluid/profile.hpp"
-#include "fluid/rectangle.hpp"
-#include "fluid/stripes.hpp"
+#include "fluid/cut/ghost_penalty.hpp"
+#include "fluid/measure/profile.hpp"
+#include "fluid/mesh/locator.hpp"
+#include "fluid/mesh/rectangle.hpp"
+#include "fluid/mesh/stripes.hpp"
 
 namespace fpi::fluid {
 namespace {

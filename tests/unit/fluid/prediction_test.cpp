@@ -1,7 +1,7 @@
 /// The velocity that a step starts from: extrapolated by the order that came nearest in the last steps.
 #include <gtest/gtest.h>
 
-#include "fluid/time_scheme.hpp"
+#include "fluid/solve/time_scheme.hpp"
 
 namespace fpi::fluid {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "cut_case.hpp"
-#include "fluid/components.hpp"
+#include "fluid/cut/components.hpp"
 
 namespace fpi::fluid {
 namespace {

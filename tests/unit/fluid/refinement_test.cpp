@@ -4,9 +4,9 @@
 #include <set>
 
 #include "core/error.hpp"
-#include "fluid/bisection.hpp"
-#include "fluid/rectangle.hpp"
-#include "fluid/size_field.hpp"
+#include "fluid/mesh/bisection.hpp"
+#include "fluid/mesh/rectangle.hpp"
+#include "fluid/mesh/size_field.hpp"
 
 namespace fpi::fluid {
 namespace {

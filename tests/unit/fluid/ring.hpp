@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fluid/mesh.hpp"
+#include "fluid/mesh/mesh.hpp"
 
 namespace fpi::fluid {
 

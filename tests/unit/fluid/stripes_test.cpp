@@ -1,8 +1,8 @@
-#include "fluid/stripes.hpp"
+#include "fluid/mesh/stripes.hpp"
 
 #include <gtest/gtest.h>
 
-#include "fluid/rectangle.hpp"
+#include "fluid/mesh/rectangle.hpp"
 
 namespace fpi::fluid {
 namespace {

@@ -1,6 +1,6 @@
 /// A factor corrected in the zone of the bodies that moved: its zone holds all that differs, and what it
 /// solves with converges to what a factor of the matrix itself gives.
-#include "fluid/zone_correction.hpp"
+#include "fluid/discretisation/zone_correction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 
 #include "cut_case.hpp"
-#include "fluid/anderson.hpp"
-#include "fluid/system.hpp"
+#include "fluid/discretisation/system.hpp"
+#include "fluid/linear/anderson.hpp"
 
 namespace fpi::fluid {
 namespace {

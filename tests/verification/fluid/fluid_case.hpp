@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "fluid/mesh/rectangle.hpp"
 #include "fluid/navier_stokes.hpp"
-#include "fluid/rectangle.hpp"
 
 namespace fpi::fluid::testing {
 

@@ -1,0 +1,90 @@
+#include "fluid/measure/volume_balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fluid/discretisation/arc_points.hpp"
+
+namespace fpi::fluid {
+namespace {
+
+struct OutlineFlow {
+  double body = 0, fluid = 0;  ///< ∫V·n and ∫u·n, n out of the bodies [m²/s]
+};
+
+OutlineFlow through_outlines(const System& system, const Vector& u) {
+  const Space& space = system.space();
+  OutlineFlow flow;
+  for (const ArcPiece& piece : system.cut().pieces) {
+    const Interface& interface = system.interfaces()[piece.interface];
+    const auto nodes = space.mesh.cell_nodes(piece.cell);
+    for (const ArcPoint& point : arc_points(space, interface, piece)) {
+      Vec2 velocity = Vec2::Zero();
+      for (int i = 0; i < 6; ++i) velocity += point.shape[i] * u.segment<2>(2 * nodes[i]);
+      const Vec2 n = point.weight * interface.outline.normal(point.parameter);
+      flow.body += n.dot(interface.velocity(piece.arc, point.parameter));
+      flow.fluid += n.dot(velocity);
+    }
+  }
+  return flow;
+}
+
+}  // namespace
+
+double VolumeBalance::rest() const {
+  double sum = 0;
+  for (const Term& term : terms) sum += term.inflow;
+  return sum;
+}
+
+std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
+  const Space& space = system.space();
+  const Components& components = system.components();
+  const std::vector<Outline> bodies = outlines(system.cut().images);
+  std::vector<PartInflow> parts(components.n());
+  const std::vector<std::uint8_t> open = space.boundary.open_components(components);
+  for (Index part = 0; part < components.n(); ++part) {
+    parts[part].is_given = open[part] == 0;
+    std::vector<Index> sides = components.of_boundary;
+    for (Index& side : sides) side = side == part ? part : -1;
+    if (std::ranges::all_of(sides, [](Index side) { return side < 0; })) parts[part].is_given = false;
+    if (!parts[part].is_given) continue;  // a pore between bodies, too: it is let go
+    for (Index b = 0; b < static_cast<Index>(space.mesh.boundary_names.size()); ++b) {
+      Vector inward = Vector::Zero(u.size());
+      space.boundary.add_pressure(b, {bodies, sides}, inward);
+      const double inflow = inward.dot(u);
+      parts[part].net += inflow;
+    }
+  }
+  for (const ArcPiece& piece : system.cut().pieces) {
+    const Index number = components.of_cell[piece.cell];
+    if (number < 0) continue;
+    PartInflow& part = parts[number];
+    const Interface& interface = system.interfaces()[piece.interface];
+    if (!part.is_given) continue;
+    for (const ArcPoint& point : arc_points(space, interface, piece)) {
+      const double inflow =
+          point.weight *
+          interface.outline.normal(point.parameter).dot(interface.velocity(piece.arc, point.parameter));
+      part.net += inflow;
+    }
+  }
+  return parts;
+}
+
+VolumeBalance volume_balance(const System& system, const Vector& u) {
+  const Space& space = system.space();
+  const std::vector<Outline> bodies = outlines(system.cut().images);
+  VolumeBalance out;
+  for (Index b = 0; b < static_cast<Index>(space.mesh.boundary_names.size()); ++b) {
+    Vector inward = Vector::Zero(u.size());
+    space.boundary.add_pressure(b, {bodies, system.components().of_boundary}, inward);
+    out.terms.push_back({"boundary:" + space.mesh.boundary_names[b], inward.dot(u)});
+  }
+  const OutlineFlow flow = through_outlines(system, u);
+  out.terms.push_back({"bodies", flow.body});
+  out.terms.push_back({"leak", flow.fluid - flow.body});
+  return out;
+}
+
+}  // namespace fpi::fluid
