@@ -74,7 +74,8 @@ class Scenes(SceneCase):
         self.assert_nothing_is_lost(summary["outlets"][0], start)
         held, clogged = summary["grains"][0], self.history()
         self.assertGreaterEqual(held["count"], 40)
-        self.assertLess(held["kinetic_energy"], 1e-15)
+        # At rest but for those that have room to turn in the flow that is left.
+        self.assertLess(held["kinetic_energy"], 1e-5 * max(clogged["grain.kinetic_energy"]))
         self.assertEqual(clogged["right.count"][-1], self.at(0.52, "right.count"))
 
         summary = self.run_again("percolation_constriction", "output.fields=false", "materials.0.friction=0", "time.end=1.2")
