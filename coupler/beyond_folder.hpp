@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "stages.hpp"
+#include "stage.hpp"
 
 namespace fpi {
 

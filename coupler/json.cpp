@@ -6,8 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "check.hpp"
-
 namespace fpi {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check_report.hpp"
 #include "extrema.hpp"
 #include "groups.hpp"
 #include "plan.hpp"
@@ -14,8 +15,6 @@
 #include "run.hpp"
 
 namespace fpi {
-
-struct CheckReport;
 
 /// All of summary.json.
 struct Summary {

@@ -12,6 +12,7 @@
 #include "proto/keys.hpp"
 #include "run_folder.hpp"
 #include "scene/scene.hpp"
+#include "stages.hpp"
 
 namespace fpi {
 namespace {

@@ -2,9 +2,7 @@
 /// a bed under a drive that grows.
 #pragma once
 
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "coupling/rigid_motion.hpp"
@@ -21,10 +19,5 @@ struct Onset {
 /// allows the one that is the farthest, over its diameter. Nothing where the scene does not ask.
 std::optional<Onset> find_onset(const scene::Scene& scene, const std::vector<coupling::RigidMotion>& motions,
                                 double time);
-
-/// What drove the flow then: probes, forces of boundaries and pressures found, by their columns of the
-/// history in `folder`.
-std::map<std::string, double> drives_at(const Onset& onset, const scene::Scene& scene,
-                                        const std::string& folder);
 
 }  // namespace fpi

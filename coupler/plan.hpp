@@ -7,7 +7,7 @@
 
 #include "inputs.hpp"
 #include "scene/scene.hpp"
-#include "stages.hpp"
+#include "stage.hpp"
 
 namespace fpi {
 

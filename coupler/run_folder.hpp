@@ -9,7 +9,7 @@
 #include "core/findings.hpp"
 #include "scene/scene.hpp"
 #include "simulation.hpp"
-#include "stages.hpp"
+#include "stage.hpp"
 
 namespace fpi {
 

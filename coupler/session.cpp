@@ -18,6 +18,7 @@
 #include "end_state.hpp"
 #include "grains/expand.hpp"
 #include "json.hpp"
+#include "onset_drives.hpp"
 #include "output/replace.hpp"
 #include "places.hpp"
 #include "plan.hpp"
@@ -29,6 +30,7 @@
 #include "run_folder.hpp"
 #include "say.hpp"
 #include "scene/reading.hpp"
+#include "stages.hpp"
 
 namespace fpi {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
-#include "end_state.hpp"
 #include "inputs.hpp"
 #include "run_folder.hpp"
 
@@ -50,16 +49,6 @@ StagedScene with_stages(scene::Scene scene, const std::string& scene_file, const
       staged.stages.push_back(stage);
   }
   return staged;
-}
-
-std::string table_of(const Stage& stage) {
-  require(
-      stage.ready,
-      "the grains' places are those at the end of {0}, which must have been run as it is now and by this "
-      "version; {1} has no such run: `./fpi run` runs it before the scene that asks for it, or do `coupler "
-      "--scene {0} --out {1}` and start what it needs",
-      stage.scene, stage.folder);
-  return final_bodies_file(stage.folder);
 }
 
 }  // namespace fpi

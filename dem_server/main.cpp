@@ -1,5 +1,6 @@
 /// dem_server: moves the grains of one run for a coupler.
 #include "dem_service.hpp"
+#include "proto/serve.hpp"
 
 int main(int argc, char** argv) {
   const fpi::proto::Connection connection =

@@ -1,6 +1,7 @@
 /// fluid_server: solves the flow of one run for a coupler.
 #include "blas_kernel.hpp"
 #include "fluid_service.hpp"
+#include "proto/serve.hpp"
 
 int main(int argc, char** argv) {
   fpi::fluid::choose_blas_kernel(argv);

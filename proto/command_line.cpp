@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/version.hpp"
-#include "proto/participant.hpp"
+#include "proto/serve.hpp"
 #include "proto/token.hpp"
 
 namespace fpi::proto {

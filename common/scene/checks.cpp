@@ -1,11 +1,11 @@
-#include "scene/checks.hpp"
-
+/// What must hold between the groups of a scene.
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 
 #include "core/error.hpp"
+#include "scene/scene.hpp"
 
 namespace fpi::scene {
 namespace {
@@ -267,28 +267,28 @@ void check_stiffness(const Scene& scene, ParameterVisitor& v) {
 
 }  // namespace
 
-void check(const Scene& scene, ParameterVisitor& v) {
-  check_names("bodies", scene.bodies, v);
-  check_names("grains", scene.grains, v);
-  check_group_names(scene, v);
-  check_names("materials", scene.materials, v);
-  check_names("walls", scene.walls, v);
-  check_names("outlets", scene.outlets, v);
-  check_stiffness(scene, v);
-  check_names("probes", scene.probes, v);
-  check_materials("bodies", scene.bodies, scene, v);
-  check_materials("grains", scene.grains, scene, v);
-  check_materials("walls", scene.walls, scene, v);
-  check_dimensions(scene, v);
-  if (scene.fluid) {
-    check_periods(scene, v);
-    check_boundaries(scene, v);
+void Scene::check(ParameterVisitor& v) const {
+  check_names("bodies", bodies, v);
+  check_names("grains", grains, v);
+  check_group_names(*this, v);
+  check_names("materials", materials, v);
+  check_names("walls", walls, v);
+  check_names("outlets", outlets, v);
+  check_stiffness(*this, v);
+  check_names("probes", probes, v);
+  check_materials("bodies", bodies, *this, v);
+  check_materials("grains", grains, *this, v);
+  check_materials("walls", walls, *this, v);
+  check_dimensions(*this, v);
+  if (fluid) {
+    check_periods(*this, v);
+    check_boundaries(*this, v);
   }
-  check_coefficients(scene, v);
-  check_motion(scene, v);
-  check_probes(scene, v);
-  check_names("profiles", scene.profiles, v);
-  check_measurements(scene, v);
+  check_coefficients(*this, v);
+  check_motion(*this, v);
+  check_probes(*this, v);
+  check_names("profiles", profiles, v);
+  check_measurements(*this, v);
 }
 
 }  // namespace fpi::scene

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/hash.hpp"
-#include "scene/checks.hpp"
 
 namespace fpi::scene {
 
@@ -43,7 +42,7 @@ void Scene::declare(ParameterVisitor& v) {
   v.table({"percolation", "", "what is wanted of a flow through grains: see docs/percolation.md"},
           percolation);
   v.table({"exact", "", "the exact solution, where it is known: errors are reported at the end"}, exact);
-  check(*this, v);
+  check(v);
 }
 
 std::size_t Scene::n_listed() const {

@@ -211,6 +211,10 @@ struct Scene {
   std::optional<Exact> exact;
 
   void declare(ParameterVisitor& v);
+  /// What must hold between its groups: names that are unique and refer to something, dimensions that agree,
+  /// boundaries that all have a condition. Each condition goes to `v.require`, with the dotted key that
+  /// breaks it.
+  void check(ParameterVisitor& v) const;
 
   std::size_t n_listed() const;  ///< bodies that the scene lists one by one
   bool moves_freely() const;     ///< a body is free

@@ -3,11 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <span>
 #include <vector>
-
-#include "scene/coupling.hpp"
 
 namespace fpi::coupling {
 
@@ -36,7 +33,5 @@ class Acceleration {
   virtual std::vector<double> state() const { return {}; }
   virtual void set_state(std::span<const double>) {}
 };
-
-std::unique_ptr<Acceleration> make_acceleration(const scene::Coupling& parameters);
 
 }  // namespace fpi::coupling

@@ -8,6 +8,7 @@
 
 #include "coupling/aitken.hpp"
 #include "coupling/constant_relaxation.hpp"
+#include "coupling/make_acceleration.hpp"
 
 namespace fpi::coupling {
 namespace {

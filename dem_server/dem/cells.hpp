@@ -2,11 +2,14 @@
 /// away costs nothing: bodies within a box of each other are in the same box or in boxes side by side.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
-#include "dem/particles.hpp"
+#include "core/lanes.hpp"
+#include "dem/record.hpp"
 
 namespace fpi::dem {
 

@@ -1,8 +1,12 @@
 /// Images of particles in a periodic box, for the search of neighbours: others see them beyond its planes.
 #pragma once
 
-#include "dem/neighbours.hpp"
-#include "dem/particles.hpp"
+#include <cstdint>
+#include <vector>
+
+#include "dem/pair.hpp"
+#include "dem/periodic_box.hpp"
+#include "dem/record.hpp"
 
 namespace fpi::dem {
 

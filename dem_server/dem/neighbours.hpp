@@ -10,14 +10,9 @@
 
 #include "dem/contact_list.hpp"
 #include "dem/model.hpp"
+#include "dem/pair.hpp"
 
 namespace fpi::dem {
-
-/// Two bodies a < b of the scene.
-struct Pair {
-  std::uint32_t a = 0, b = 0;
-  auto operator<=>(const Pair&) const = default;
-};
 
 /// What a search found; it does not change until the next. Its particles are the bodies in their new order.
 struct Neighbours {

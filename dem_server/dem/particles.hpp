@@ -3,12 +3,9 @@
 #pragma once
 
 #include "dem/contact.hpp"
+#include "dem/record.hpp"
 
 namespace fpi::dem {
-
-using Record = Eigen::Vector4d;
-
-inline Record join(const Vec3& v, double fourth) { return {v.x(), v.y(), v.z(), fourth}; }
 
 /// What belongs to the centre and to the turning about it.
 struct alignas(64) Twin {

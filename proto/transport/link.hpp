@@ -10,8 +10,8 @@
 #include <thread>
 #include <variant>
 
+#include "proto/connection.hpp"
 #include "proto/messages.hpp"
-#include "proto/participant.hpp"
 #include "proto/transport/pulse.hpp"
 #include "proto/transport/socket.hpp"
 

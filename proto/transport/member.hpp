@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "proto/host.hpp"
+#include "proto/host_options.hpp"
+#include "proto/messages.hpp"
 #include "proto/transport/socket.hpp"
 
 namespace fpi::proto {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "proto/participant.hpp"
+#include "proto/connection.hpp"
 #include "proto/transport/attentive_clock.hpp"
 #include "proto/transport/socket.hpp"
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <thread>
 
-#include "proto/host.hpp"
-#include "proto/participant.hpp"
+#include "proto/connection.hpp"
+#include "proto/host_options.hpp"
 #include "proto/transport/socket.hpp"
 #include "proto/transport/tally.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "proto/codec.hpp"
-#include "proto/host.hpp"
+#include "proto/host_options.hpp"
 #include "proto/transport/attentive_clock.hpp"
 #include "proto/transport/exits.hpp"
 #include "proto/transport/member.hpp"

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "proto/participant.hpp"
+#include "proto/serve.hpp"
 #include "scene/scene.hpp"
 
 namespace {

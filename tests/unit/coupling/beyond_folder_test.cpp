@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "../temporary_folder.hpp"
+#include "stages.hpp"
 
 namespace fpi {
 namespace {

@@ -2,6 +2,7 @@
 #include "outlets.hpp"
 
 #include "groups.hpp"
+#include "onset_drives.hpp"
 #include "run_case.hpp"
 
 namespace fpi {

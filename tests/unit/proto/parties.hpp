@@ -9,7 +9,7 @@
 
 #include "proto/codec.hpp"
 #include "proto/host.hpp"
-#include "proto/participant.hpp"
+#include "proto/serve.hpp"
 
 namespace fpi::proto::parties {
 

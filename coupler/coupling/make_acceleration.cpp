@@ -1,4 +1,4 @@
-#include "coupling/acceleration.hpp"
+#include "coupling/make_acceleration.hpp"
 
 #include "coupling/aitken.hpp"
 #include "coupling/constant_relaxation.hpp"
