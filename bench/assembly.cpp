@@ -13,7 +13,7 @@ namespace {
 double microseconds_per_cell(System& system, Index n_cells, bool with_jacobian) {
   const Space& space = system.space();
   Fields fields{Vector::Random(2 * space.mesh.n_nodes()), Vector::Random(space.mesh.n_vertices()),
-                Vector::Random(2 * system.cut().n_multipliers())};
+                Vector::Random(2 * system.cut().n_multipliers()), Vector(0), Vector(0)};
   TimeTerms time;
   time.inertia = 100;
   time.history = Vector::Random(2 * space.mesh.n_nodes());
@@ -33,7 +33,7 @@ void measure(const char* name, Mesh mesh) {
   for (const char* side : {"left", "right", "bottom", "top"}) conditions[side].type = "no_slip";
   const Space space(std::move(mesh), conditions);
   Ledger ledger;
-  System system(space, {}, {}, ledger);
+  System system(space, {}, {}, {}, ledger);
   const Index n = space.mesh.n_cells();
   std::printf("%-10s %6d triangles: residual %.2f µs, residual and Jacobian %.2f µs each\n", name, n,
               microseconds_per_cell(system, n, false), microseconds_per_cell(system, n, true));

@@ -138,9 +138,10 @@ Resolution NavierStokes::given_resolution(double end, double time_step) const {
   return out;
 }
 
+/// What elements make of the flow inside bodies is no flow.
 Resolution NavierStokes::resolution() const {
-  return fluid::resolution(space_.mesh, active_cells(), accepted_.u, flow_.viscosity / flow_.density,
-                           accepted_.previous_step);
+  return fluid::resolution(space_.mesh, active_cells(), velocity_with_bodies(),
+                           flow_.viscosity / flow_.density, accepted_.previous_step);
 }
 
 }  // namespace fpi::fluid
