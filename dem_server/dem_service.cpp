@@ -118,6 +118,7 @@ proto::Configured DemService::configure(const proto::Configure& message) {
   progress.set("configure");
   scene::Scene scene = scene::read_text(message.scene, "the scene sent by the coupler");
   grains::expand(scene, [&](const std::string& name) { return proto::content(message.files, name); });
+  longest_step_ = (1 + 1e-6) * scene.time.end;  // which is hit to round-off
   Findings findings;
   std::vector<std::string> notes;
   Meshes meshes = read_meshes(scene, message.files, notes, findings);
@@ -137,6 +138,9 @@ proto::Configured DemService::configure(const proto::Configure& message) {
 
 proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdvance& message) {
   const ScopedTimer timer(ledger_, "dem");
+  require(message.time_step <= longest_step_,
+          "a step of at most {} s is required, the end of the scene (time.end); got {} s", longest_step_,
+          message.time_step);
   progress.set("contacts");
   time_ = message.time;
   const Advanced outcome =

@@ -23,7 +23,8 @@ class DemService : public proto::DemParticipant {
   proto::Figures energies() const;
 
   std::optional<Solver> solver_;
-  double time_ = 0;  ///< [s] at the end of the last step tried
+  double time_ = 0;          ///< [s] at the end of the last step tried
+  double longest_step_ = 0;  ///< [s] that a step of the scene can have
   Ledger ledger_;
 };
 

@@ -106,6 +106,13 @@ TEST(DemService, says_that_contacts_are_stretched) {
   EXPECT_EQ(service.report().back(), (proto::Figures::value_type{"stretch", 4}));
 }
 
+TEST(DemService, refuses_a_step_longer_than_the_scene_which_could_take_for_ever) {
+  DemService service;
+  service.configure({.scene = scene});
+  EXPECT_THROW(service.advance({}, fall(1e6)), Error);
+  EXPECT_TRUE(service.advance({}, fall(0.1)).converged);
+}
+
 TEST(DemService, refuses_what_it_cannot_do) {
   DemService service;
   EXPECT_THROW(service.advance({}, fall(0.1)), Error);
