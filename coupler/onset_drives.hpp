@@ -1,3 +1,4 @@
+/// What drove the flow at the onset of motion, read from the history that the run wrote.
 #pragma once
 
 #include <map>

@@ -1,3 +1,4 @@
+/// Two bodies that may touch, by their numbers in the scene.
 #pragma once
 
 #include <compare>

@@ -57,6 +57,12 @@ Metric<double> metric_at(const std::array<Vec2, 6>& nodes, const Shape& shape) {
   return {{-g1.x() - g2.x(), g1.x(), g2.x()}, {-g1.y() - g2.y(), g1.y(), g2.y()}, 0.5 * determinant};
 }
 
+Vec2 value_at(const std::array<Index, 6>& nodes, const Padded& n, const Vector& nodal) {
+  Vec2 value = Vec2::Zero();
+  for (int i = 0; i < 6; ++i) value += n[i] * nodal.segment<2>(2 * nodes[i]);
+  return value;
+}
+
 Vec2 position_at(const std::array<Vec2, 6>& nodes, const Padded& n) {
   Vec2 x = Vec2::Zero();
   for (int i = 0; i < 6; ++i) x += n[i] * nodes[i];

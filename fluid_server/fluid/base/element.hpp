@@ -51,6 +51,8 @@ struct Metric {
 Metric<double> metric_of(const Triangle& triangle);
 /// Of the isoparametric triangle through its six P2 nodes, at a point of it.
 Metric<double> metric_at(const std::array<Vec2, 6>& nodes, const Shape& shape);
+/// Σ N_i u_i of a field with x, y of each node.
+Vec2 value_at(const std::array<Index, 6>& nodes, const Padded& n, const Vector& nodal);
 /// Σ N_i x_i
 Vec2 position_at(const std::array<Vec2, 6>& nodes, const Padded& n);
 

@@ -1,24 +1,11 @@
 #include "fluid/cut/components.hpp"
 
-#include <numeric>
 #include <utility>
+
+#include "fluid/base/disjoint_sets.hpp"
 
 namespace fpi::fluid {
 namespace {
-
-/// Union–find with path halving.
-class Union {
- public:
-  explicit Union(Index n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  Index find(Index a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  void join(Index a, Index b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// True where bodies cover the whole edge, so that no fluid passes.
 bool is_blocked(const Mesh& mesh, Index edge, std::span<const Outline> outlines) {
@@ -36,7 +23,7 @@ std::vector<double> fluid_shares(const Mesh& mesh, const CutMesh& cut) {
 
 Components find_components(const Mesh& mesh, const CutMesh& cut) {
   const std::vector<Outline> bodies = outlines(cut.images);
-  Union parts(mesh.n_cells());
+  DisjointSets parts(mesh.n_cells());
   for (Index e = 0; e < mesh.n_edges(); ++e) {
     const auto [c1, c2] = mesh.edge_cells[e];
     if (c2 == -1 || !cut.is_active(c1) || !cut.is_active(c2)) continue;

@@ -54,7 +54,7 @@ Residual System::assemble(const Flow& flow, const Fields& fields, const TimeTerm
   assemble_cells({flow, fields, time, acceleration, residual, with_jacobian});
   assemble_ghost(flow, fields, time, acceleration, residual, with_jacobian);
   assemble_arcs(fields, residual, with_jacobian);
-  keep_momentum(flow, time.parts, fields.u, residual.u);
+  keep_momentum(flow.density, time.parts, fields.u, residual.u);
   free_bodies_.add_residual(interfaces_, fields.rigid, fields.lambda, residual.lambda, residual.rigid);
   if (with_jacobian) free_bodies_.add_jacobian(interfaces_, matrix_);
   return residual;

@@ -3,15 +3,15 @@
 namespace fpi::fluid {
 namespace {
 
-/// ∫u (∇·w − κ ∇·u)
-Vec2 made_inside(const MovingPart& part, double convection, const Vector& u) {
+/// ∫u (∇·w − ∇·u)
+Vec2 made_inside(const MovingPart& part, const Vector& u) {
   Vec2 made = Vec2::Zero();
   for (const MovingPart::Cell& cell : part.cells) {
     Eigen::Matrix<double, 6, 2> nodal;
     for (int i = 0; i < 6; ++i) nodal.row(i) = u.segment<2>(2 * cell.nodes[i]);
     const Eigen::Matrix<double, 6, 1> divergence =
         cell.slopes[0] * nodal.col(0) + cell.slopes[1] * nodal.col(1);
-    made += nodal.transpose() * (cell.growth.head<6>() - convection * divergence);
+    made += nodal.transpose() * (cell.growth.head<6>() - divergence);
   }
   return made;
 }
@@ -20,8 +20,7 @@ Vec2 made_inside(const MovingPart& part, double convection, const Vector& u) {
 Vec2 made_at_outlines(const MovingPart& part, const Vector& u) {
   Vec2 made = Vec2::Zero();
   for (const MovingPart::OutlinePoint& point : part.outline) {
-    Vec2 at_x = Vec2::Zero();
-    for (int i = 0; i < 6; ++i) at_x += point.shape[i] * u.segment<2>(2 * point.nodes[i]);
+    const Vec2 at_x = value_at(point.nodes, point.shape, u);
     made += (point.normal.dot(at_x) - point.given) * at_x;
   }
   return made;
@@ -29,11 +28,10 @@ Vec2 made_at_outlines(const MovingPart& part, const Vector& u) {
 
 }  // namespace
 
-void keep_momentum(const Flow& flow, const std::vector<MovingPart>& parts, const Vector& u,
-                   Vector& residual) {
+void keep_momentum(double density, const std::vector<MovingPart>& parts, const Vector& u, Vector& residual) {
   for (const MovingPart& part : parts) {
-    const Vec2 made = part.made + made_inside(part, flow.convection, u) + made_at_outlines(part, u);
-    const Vec2 force = flow.density / part.area * made;
+    const Vec2 made = part.made + made_inside(part, u) + made_at_outlines(part, u);
+    const Vec2 force = density / part.area * made;
     for (const MovingPart::Cell& cell : part.cells)
       for (int i = 0; i < 6; ++i) residual.segment<2>(2 * cell.nodes[i]) -= cell.shape[i] * force;
   }

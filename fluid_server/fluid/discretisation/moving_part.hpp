@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fluid/base/element.hpp"
-#include "fluid/discretisation/kernel.hpp"
 
 namespace fpi::fluid {
 
@@ -30,7 +29,8 @@ struct MovingPart {
   Vec2 made = Vec2::Zero();  ///< momentum that the history makes, over ρ Δt [m³/s²]
 };
 
-/// Takes what convection and inertia make of momentum [N/m] out of the residual of the nodes.
-void keep_momentum(const Flow& flow, const std::vector<MovingPart>& parts, const Vector& u, Vector& residual);
+/// Takes what convection and inertia make of momentum [N/m] out of the residual of the nodes;
+/// `density` ρ [kg/m³].
+void keep_momentum(double density, const std::vector<MovingPart>& parts, const Vector& u, Vector& residual);
 
 }  // namespace fpi::fluid

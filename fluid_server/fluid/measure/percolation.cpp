@@ -26,8 +26,7 @@ void for_each_point(const System& system, const Vector& u, const Vector* p,
     const auto places = mesh.cell_places(c);
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       const Shape& shape = rule.points[q].shape;
-      Point point{rule.weight(q), position_at(places, shape.n), Vec2::Zero(), 0};
-      for (int i = 0; i < 6; ++i) point.velocity += shape.n[i] * u.segment<2>(2 * nodes[i]);
+      Point point{rule.weight(q), position_at(places, shape.n), value_at(nodes, shape.n, u), 0};
       for (int i = 0; p != nullptr && i < 3; ++i) point.pressure += shape.l[i] * (*p)[vertices[i]];
       visit(point);
     }

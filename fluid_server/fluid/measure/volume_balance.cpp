@@ -19,11 +19,9 @@ OutlineFlow through_outlines(const System& system, const Vector& u) {
     const Interface& interface = system.interfaces()[piece.interface];
     const auto nodes = space.mesh.cell_nodes(piece.cell);
     for (const ArcPoint& point : arc_points(space, interface, piece)) {
-      Vec2 velocity = Vec2::Zero();
-      for (int i = 0; i < 6; ++i) velocity += point.shape[i] * u.segment<2>(2 * nodes[i]);
       const Vec2 n = point.weight * interface.outline.normal(point.parameter);
       flow.body += n.dot(interface.velocity(piece.arc, point.parameter));
-      flow.fluid += n.dot(velocity);
+      flow.fluid += n.dot(value_at(nodes, point.shape, u));
     }
   }
   return flow;

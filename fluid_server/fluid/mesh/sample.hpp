@@ -12,11 +12,7 @@ class Sample {
       : nodes_(mesh.cell_nodes(place.cell)), n_(p2_at(place.l)), l_(place.l) {}
 
   /// Of x, y of each node.
-  Vec2 velocity(const Vector& nodal) const {
-    Vec2 value = Vec2::Zero();
-    for (int i = 0; i < 6; ++i) value += n_[i] * nodal.segment<2>(2 * nodes_[i]);
-    return value;
-  }
+  Vec2 velocity(const Vector& nodal) const { return value_at(nodes_, n_, nodal); }
   /// Of a number of each vertex.
   double pressure(const Vector& nodal) const {
     return l_[0] * nodal[nodes_[0]] + l_[1] * nodal[nodes_[1]] + l_[2] * nodal[nodes_[2]];

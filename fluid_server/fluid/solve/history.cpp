@@ -19,11 +19,11 @@ Vec2 previous_velocity(const Space& space, const State& state, const Vec2& x, co
   return before.velocity(state.previous_u);
 }
 
+}  // namespace
+
 bool stays(const Vector& displacement, const State& state, Index node) {
   return displacement.segment<2>(2 * node).isZero(0) && state.drift.segment<2>(2 * node).isZero(0);
 }
-
-}  // namespace
 
 State along_paths(const Space& space, const Vector& displacement, const State& state) {
   const Mesh& mesh = space.mesh;

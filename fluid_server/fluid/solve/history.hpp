@@ -6,6 +6,9 @@
 
 namespace fpi::fluid {
 
+/// Whether a node has moved neither in this step nor in the last.
+bool stays(const Vector& displacement, const State& state, Index node);
+
 /// The state at the places that the nodes came from.
 State along_paths(const Space& space, const Vector& displacement, const State& state);
 

@@ -1,27 +1,13 @@
 #include "fluid/solve/momentum_balance.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "fluid/base/disjoint_sets.hpp"
 #include "fluid/discretisation/arc_points.hpp"
+#include "fluid/solve/history.hpp"
 
 namespace fpi::fluid {
 namespace {
-
-/// Sets of nodes, each named by one of them.
-class Sets {
- public:
-  explicit Sets(Index n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(Index a, Index b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// Number of the part that each cell belongs to; −1: none of its nodes moves.
 struct Partition {
@@ -37,11 +23,10 @@ bool moves(const Interface& interface) {
 
 /// 1 for each node that moves or lies at the outline of a body that does.
 std::vector<std::uint8_t> moving_nodes(const System& system, const Vector& displacement,
-                                       const Vector& drift) {
+                                       const State& accepted) {
   const Mesh& mesh = system.space().mesh;
   std::vector<std::uint8_t> out(mesh.n_nodes());
-  for (Index node = 0; node < mesh.n_nodes(); ++node)
-    out[node] = !displacement.segment<2>(2 * node).isZero(0) || !drift.segment<2>(2 * node).isZero(0);
+  for (Index node = 0; node < mesh.n_nodes(); ++node) out[node] = !stays(displacement, accepted, node);
   for (const ArcPiece& piece : system.cut().pieces)
     if (moves(system.interfaces()[piece.interface]))
       for (const Index node : mesh.cell_nodes(piece.cell)) out[node] = 1;
@@ -49,7 +34,7 @@ std::vector<std::uint8_t> moving_nodes(const System& system, const Vector& displ
 }
 
 Partition partition(const Mesh& mesh, const std::vector<std::uint8_t>& moves) {
-  Sets sets(mesh.n_nodes());
+  DisjointSets sets(mesh.n_nodes());
   std::vector<Index> mover(mesh.n_cells(), -1);  // a node of the cell that moves
   for (Index c = 0; c < mesh.n_cells(); ++c)
     for (const Index node : mesh.cell_nodes(c)) {
@@ -102,8 +87,7 @@ void add_outline(const System& system, const ArcPiece& piece, const Vector& w, M
   const Interface& interface = system.interfaces()[piece.interface];
   const auto nodes = system.space().mesh.cell_nodes(piece.cell);
   for (const ArcPoint& point : arc_points(system.space(), interface, piece)) {
-    Vec2 given = Vec2::Zero();
-    for (int i = 0; i < 6; ++i) given += point.shape[i] * w.segment<2>(2 * nodes[i]);
+    Vec2 given = value_at(nodes, point.shape, w);
     if (!interface.sampled.empty())
       given += interface.velocity(piece.arc, point.parameter) - interface.rigid(point.x);
     const Vec2 normal = -point.weight * interface.outline.normal(point.parameter);
@@ -135,7 +119,7 @@ std::vector<MovingPart> moving_parts(const System& system, const Vector& displac
                                      const Scheme& scheme, const TimeTerms& time) {
   if (accepted.fluid_in_cells.size() == 0) return {};
   const Mesh& mesh = system.space().mesh;
-  const Partition of = partition(mesh, moving_nodes(system, displacement, accepted.drift));
+  const Partition of = partition(mesh, moving_nodes(system, displacement, accepted));
   const Vector stays = Vector::Zero(time.moves() ? 0 : 2 * static_cast<Eigen::Index>(mesh.n_nodes()));
   const Vector& drift = time.moves() ? time.drift : stays;
   std::vector<MovingPart> parts(of.n);

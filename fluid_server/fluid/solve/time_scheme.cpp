@@ -3,6 +3,20 @@
 #include <cmath>
 
 namespace fpi::fluid {
+namespace {
+
+/// Of a velocity at the nodes that count.
+double squared_norm(const Vector& u, const std::vector<std::uint8_t>& node_counts, double sum = 0) {
+  for (std::size_t node = 0; node < node_counts.size(); ++node)
+    if (node_counts[node]) sum += u.segment<2>(2 * static_cast<Eigen::Index>(node)).squaredNorm();
+  return sum;
+}
+
+double norm(const Vector& u, const std::vector<std::uint8_t>& node_counts) {
+  return std::sqrt(squared_norm(u, node_counts));
+}
+
+}  // namespace
 
 Scheme Scheme::newmark(double time_step, double gamma) {
   return {1 / (gamma * time_step), 0, (1 - gamma) / gamma};
@@ -49,23 +63,12 @@ std::array<double, n_orders> prediction_errors(const State& start, const Vector&
   std::array<double, n_orders> errors = start.prediction_errors;
   for (int order = 0; order <= highest_order; ++order) {
     const Vector miss = u - predicted_velocity(start, time_step, order);
-    for (std::size_t node = 0; node < node_counts.size(); ++node)
-      if (node_counts[node])
-        errors[order] += miss.segment<2>(2 * static_cast<Eigen::Index>(node)).squaredNorm();
-    errors[order] *= 0.5;
+    errors[order] = 0.5 * squared_norm(miss, node_counts, errors[order]);
   }
   return errors;
 }
 
 namespace {
-
-/// Over the nodes that count.
-double norm(const Vector& u, const std::vector<std::uint8_t>& node_counts) {
-  double sum = 0;
-  for (std::size_t node = 0; node < node_counts.size(); ++node)
-    if (node_counts[node]) sum += u.segment<2>(2 * static_cast<Eigen::Index>(node)).squaredNorm();
-  return std::sqrt(sum);
-}
 
 /// [tⁿ⁺¹, tⁿ, tⁿ⁻¹, tⁿ⁻²] u = u‴/6, the oldest velocity taken from the acceleration that it left in aⁿ.
 Vector third_difference(const State& start, const Vector& u, double time_step) {
