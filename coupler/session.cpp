@@ -224,8 +224,9 @@ class Session {
         has_checkpoint(options_.folder)
             ? fmt::format("; `./fpi resume {}` continues from the last checkpoint", options_.folder)
             : "";
-    return fmt::format(" (at step {} of about {}, t = {} s of {} s; results up to there are kept{})", s.step,
-                       s.steps, s.time, s.end, further);
+    const char* kept = s.step > 0 ? "; results up to there are kept" : ", the first";
+    return fmt::format(" (at step {} of about {}, t = {} s of {} s{}{})", s.step, s.steps, s.time, s.end, kept,
+                       further);
   }
 
   void finish() {

@@ -123,8 +123,11 @@ proto::Configured DemService::configure(const proto::Configure& message) {
   std::vector<std::string> notes;
   Meshes meshes = read_meshes(scene, message.files, notes, findings);
   if (!findings.has_errors())
-    findings.attempt("", [&] { solver_.emplace(make_problem(scene, std::move(meshes))); });
-  if (!solver_) return {.findings = findings.all()};
+    solver_.emplace(make_problem(scene, std::move(meshes)), findings);
+  if (findings.has_errors()) {
+    solver_.reset();
+    return {.findings = findings.all()};
+  }
   if (!message.state.empty()) solver_->resume(message.state);
   const Model& model = solver_->model();
   add_notes(model, notes);

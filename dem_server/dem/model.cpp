@@ -118,47 +118,58 @@ PeriodicBox make_box(const Problem& problem) {
   return box;
 }
 
-/// Everything that would leave the plane z = 0 of a scene of discs.
-void check_plane(const Problem& problem) {
-  require(problem.periodic.z.empty(), "periodic.z goes with spheres; got discs: remove it");
-  require(problem.gravity.z() == 0, "gravity of a plane scene must have z = 0; got {}", problem.gravity.z());
-  for (const auto& wall : problem.walls) {
-    require(to_eigen(wall.normal).z() == 0, "wall {} of a plane scene must have a normal in x, y", wall.name);
-  }
-  for (const auto& body : problem.bodies) {
-    require(body.shape == "disc", "body {} must be a disc, as the first body is; got a {}", body.name,
-            body.shape);
-    const Vec3 spin = spin_of(body);
-    require(to_eigen(body.position).z() == 0 && to_eigen(body.velocity).z() == 0 && spin.x() == 0 &&
-                spin.y() == 0,
-            "disc {} must move in the plane z = 0 and spin about z; use shape = \"sphere\" in space",
-            body.name);
-  }
+void check_body(const Problem& problem, const scene::Body& body) {
+  const scene::Body& first = problem.bodies[0];
+  require(body.shape == first.shape, "body {} must be a {}, as the first body is; got a {}", body.name,
+          first.shape, body.shape);
+  const Vec3 x = to_eigen(body.position), v = to_eigen(body.velocity), spin = spin_of(body);
+  require(x.allFinite() && v.allFinite() && spin.allFinite(),
+          "body {} must start with a finite position, velocity and spin", body.name);
+  require(body.shape != "disc" || (x.z() == 0 && v.z() == 0 && spin.x() == 0 && spin.y() == 0),
+          "disc {} must move in the plane z = 0 and spin about z; use shape = \"sphere\" in space",
+          body.name);
+}
+
+/// Everything but bodies that would leave the plane z = 0 of a scene of discs.
+void check_plane(const Problem& problem, Findings& wrong) {
+  if (!problem.periodic.z.empty()) wrong.error("periodic.z", "periodic.z goes with spheres; got discs: remove it");
+  if (problem.gravity.z() != 0)
+    wrong.error("gravity", "gravity of a plane scene must have z = 0; got {}", problem.gravity.z());
+  for (std::size_t i = 0; i < problem.walls.size(); ++i)
+    if (to_eigen(problem.walls[i].normal).z() != 0)
+      wrong.error(fmt::format("walls.{}.normal", i), "wall {} of a plane scene must have a normal in x, y",
+                  problem.walls[i].name);
 }
 
 }  // namespace
 
-Model make_model(const Problem& problem) {
-  require(!problem.bodies.empty(), "a DEM scene must have a body; got none: add [[bodies]]");
-  require(problem.gravity.allFinite(), "gravity must be finite");
+Model make_model(const Problem& problem, Findings& wrong) {
   Model model;
+  if (problem.bodies.empty()) {
+    wrong.error("bodies", "a DEM scene must have a body; got none: add [[bodies]]");
+    return model;
+  }
+  if (!problem.gravity.allFinite()) wrong.error("gravity", "gravity must be finite");
   model.plane = problem.bodies[0].shape == "disc";
-  if (model.plane) check_plane(problem);
+  if (model.plane) check_plane(problem, wrong);
   model.gravity = problem.gravity;
   model.steps_per_contact = problem.dem.steps_per_contact;
   model.largest_sub_step = problem.dem.largest_sub_step > 0 ? problem.dem.largest_sub_step
                                                             : std::numeric_limits<double>::infinity();
-  for (const auto& body : problem.bodies) {
-    require((body.shape == "disc") == model.plane, "body {} must be a sphere, as the first body is",
-            body.name);
-    add_body(problem, body, model.bodies);
-  }
-  model.periodic = make_box(problem);
-  for (const auto& wall : problem.walls) {
-    add_wall(problem, wall, model.walls);
-    const Wall& added = model.walls.walls.back();
-    check_fit(model.periodic, added, std::span(model.walls.facets).subspan(added.first_facet), wall);
-  }
+  for (std::size_t i = 0; i < problem.bodies.size(); ++i)
+    wrong.attempt(fmt::format("bodies.{}", i), [&] {
+      check_body(problem, problem.bodies[i]);
+      add_body(problem, problem.bodies[i], model.bodies);
+    });
+  wrong.attempt("periodic", [&] { model.periodic = make_box(problem); });
+  for (std::size_t i = 0; i < problem.walls.size(); ++i)
+    wrong.attempt(fmt::format("walls.{}", i), [&] {
+      const scene::Wall& wall = problem.walls[i];
+      add_wall(problem, wall, model.walls);
+      const Wall& added = model.walls.walls.back();
+      check_fit(model.periodic, added, std::span(model.walls.facets).subspan(added.first_facet), wall);
+    });
+  if (wrong.has_errors()) return model;
   model.elasticity = problem.dem.contact == "linear" ? Elasticity::linear : Elasticity::hertz;
   model.laws = LawTable(stretched(problem.materials, problem.dem.stretch), model.elasticity);
   const scene::Lubrication& lubrication = problem.dem.lubrication;
@@ -175,15 +186,19 @@ Model make_model(const Problem& problem) {
   return model;
 }
 
+Model make_model(const Problem& problem) {
+  Findings wrong;
+  Model model = make_model(problem, wrong);
+  wrong.raise();
+  return model;
+}
+
 Motions initial_motions(const Problem& problem) {
   Motions motions;
   for (const auto& body : problem.bodies) {
     motions.position.push_back(to_eigen(body.position));
     motions.velocity.push_back(to_eigen(body.velocity));
     motions.spin.push_back(spin_of(body));
-    require(motions.position.back().allFinite() && motions.velocity.back().allFinite() &&
-                motions.spin.back().allFinite(),
-            "body {} must start with a finite position, velocity and spin", body.name);
   }
   motions.orientation.resize(problem.bodies.size());
   return motions;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/findings.hpp"
 #include "dem/materials.hpp"
 #include "dem/periodic_box.hpp"
 #include "dem/walls.hpp"
@@ -90,11 +91,14 @@ struct Model {
   Box expected;              ///< a free body outside is lost
 };
 
-/// Throws Error naming the body, wall or material at fault: names twice, an unknown material, a free body
-/// without mass, discs among spheres or moving out of their plane, numbers that are not finite.
+/// Adds to `wrong` every body, wall or material at fault, with its scene key: an unknown material, a free body
+/// without mass, discs among spheres or moving out of their plane, numbers that are not finite, walls that do
+/// not fit the periodic box. With errors the model is of no use.
+Model make_model(const Problem& problem, Findings& wrong);
+/// Throws Error with all of these.
 Model make_model(const Problem& problem);
 
-/// The motions at the start. Throws Error naming a body whose numbers are not finite.
+/// The motions at the start.
 Motions initial_motions(const Problem& problem);
 
 }  // namespace fpi::dem

@@ -10,23 +10,23 @@ namespace fpi::dem {
 namespace {
 
 template <class Place>
-void check_overlap(const Model& model, const Near& here, const Place& place) {
+void check_overlap(const Model& model, const Near& here, const Place& place, Findings& wrong) {
   const std::vector<double>& radius = model.bodies.radius;
   const double smaller = here.wall() ? radius[here.a] : std::min(radius[here.a], radius[here.b]);
-  require(here.at.gap >= -model.start_overlap * smaller,
-          "{} must not overlap at the start by more than {:g} of the smaller radius (dem.start_overlap); "
-          "they do, by "
-          "{:.3g} m: move one of them",
-          names(model, place), model.start_overlap, -here.at.gap);
+  if (here.at.gap >= -model.start_overlap * smaller) return;
+  wrong.error(fmt::format("bodies.{}.position", here.a),
+              "{} must not overlap at the start by more than {:g} of the smaller radius (dem.start_overlap); "
+              "they do, by {:.3g} m: move one of them",
+              names(model, place), model.start_overlap, -here.at.gap);
 }
 
-void check_overlaps(const Model& model, const State& state) {
+void check_overlaps(const Model& model, const State& state, Findings& wrong) {
   const auto& position = state.motions.position;
   const WallContacts& walls = state.wall_contacts;
   each_pair(*state.neighbours,
-            [&](const Pair& pair) { check_overlap(model, near(model, position, pair), pair); });
+            [&](const Pair& pair) { check_overlap(model, near(model, position, pair), pair, wrong); });
   for (const WallPlace& place : walls.places)
-    check_overlap(model, near(model, position, walls.motions, place), place);
+    check_overlap(model, near(model, position, walls.motions, place), place, wrong);
 }
 
 void check_body(const Model& model, std::uint32_t body, const char* what) {
@@ -87,11 +87,18 @@ void add_difference(const Energies& more, const Energies& less, Energies& sum) {
 
 }  // namespace
 
-Solver::Solver(const Problem& problem) : model_(make_model(problem)) {
+Solver::Solver(const Problem& problem) {
+  Findings wrong;
+  *this = Solver(problem, wrong);
+  wrong.raise();
+}
+
+Solver::Solver(const Problem& problem, Findings& wrong) : model_(make_model(problem, wrong)) {
+  if (wrong.has_errors()) return;
   accepted_.motions = initial_motions(problem);
   accepted_.wall_contacts.motions = at_start(model_.walls);
   find_neighbours(model_, 0, accepted_);
-  check_overlaps(model_, accepted_);
+  check_overlaps(model_, accepted_, wrong);
   if (model_.accounts_energy) start_ = energies_of(model_, accepted_);
   restore();
 }

@@ -35,9 +35,11 @@ struct Prescribed {
 
 class Solver {
  public:
-  /// Throws Error for a set-up that cannot be run, among it free bodies that overlap at the start by more
-  /// than dem.start_overlap.
+  /// Throws Error with everything that keeps the set-up from being run.
   explicit Solver(const Problem& problem);
+  /// Adds all of it to `wrong` instead: what make_model finds, and free bodies that overlap at the start by
+  /// more than dem.start_overlap. With errors the solver is of no use.
+  Solver(const Problem& problem, Findings& wrong);
 
   /// Throws Error for a step that is not > 0 s, a body that does not exist, or numbers that are not finite. A
   /// body that is not free and not among `prescribed` stays where it is, as a wall does that is not among

@@ -55,6 +55,42 @@ TEST(DemService, moves_the_bodies_of_the_scene_it_is_sent) {
   EXPECT_EQ(moved.sub_steps, 1u);
 }
 
+std::vector<std::string> keys_of_errors(const std::string& text) {
+  std::vector<std::string> keys;
+  for (const Finding& finding : DemService().configure({.scene = text}).findings)
+    if (finding.is_error) keys.push_back(finding.key);
+  return keys;
+}
+
+TEST(DemService, finds_every_wall_and_every_overlap_that_is_wrong_and_says_where) {
+  EXPECT_EQ(keys_of_errors(scene + R"(
+[[walls]]
+name = "ramp"
+point = [0, 0]
+normal = [0.1, 1]
+[[walls]]
+name = "lid"
+point = [0, 2]
+normal = [0.1, -1]
+[periodic]
+x = [-2, 2]
+)"),
+            (std::vector<std::string>{"walls.1", "walls.2"}));
+  EXPECT_EQ(keys_of_errors(scene + R"(
+[[bodies]]
+name = "deeper"
+radius = 0.01
+density = 2500
+position = [3, 0.002]
+[[bodies]]
+name = "in_the_floor"
+radius = 0.01
+density = 2500
+position = [2, 0.005]
+)"),
+            (std::vector<std::string>{"bodies.2.position", "bodies.3.position"}));
+}
+
 TEST(DemService, restores_and_resumes_bitwise) {
   DemService service, resumed;
   service.configure({.scene = scene});
