@@ -6,6 +6,7 @@
 #include "check.hpp"
 #include "command_line.hpp"
 #include "core/error.hpp"
+#include "core/pages.hpp"
 #include "json.hpp"
 #include "plan.hpp"
 #include "proto/host.hpp"
@@ -54,6 +55,7 @@ int carry_out(const CommandLine& line) {
 }  // namespace fpi
 
 int main(int argc, char** argv) {
+  fpi::keep_pages();
   const fpi::CommandLine line = fpi::read_coupler_command_line(argc, argv);
   if (line.exit_status) return *line.exit_status;
   fpi::listen_to_signals();

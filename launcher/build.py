@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from launcher.common import IS_INSTALLED, ROOT, Refusal, naming
-from launcher.processes import end_with_the_launcher
+from launcher.processes import ends_with_the_launcher
 
 PRESETS = ("release", "dev", "asan", "tsan")
 PROGRAMS = ("coupler", "dem_server", "fluid_server")  # what a run needs
@@ -83,7 +83,7 @@ def stream(command: list[str], log: Path, title: str, quiet: bool, announce=None
     counter = Counter(title, quiet, announce)
     try:
         process = subprocess.Popen(command, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                   encoding="utf-8", errors="replace", preexec_fn=end_with_the_launcher)
+                                   encoding="utf-8", errors="replace", preexec_fn=ends_with_the_launcher())
     except FileNotFoundError as error:
         raise Refusal(f"{title} needs the program {command[0]}: {error}; run `./fpi build`, which installs it") from error
     with process, naming(log), log.open("a", buffering=1, encoding="utf-8") as file:

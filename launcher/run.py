@@ -96,7 +96,7 @@ class Run:
         """Runs to the end and returns the coupler's exit status, or that of an interruption."""
         with interruptions_call(self.interrupt):
             self.coupler = Child("coupler", self.coupler_command(), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                 stderr=subprocess.PIPE)
+                                 stderr=subprocess.PIPE, ends_itself=True)
             try:
                 self.watch()
             finally:

@@ -1,7 +1,6 @@
 """Whether a scene may start programs of its own (`command = …`): its user says so once, for these commands and this scene."""
 
 import contextlib
-import hashlib
 import json
 import os
 import shlex
@@ -64,6 +63,8 @@ def asked(scene: Path, started: dict[str, str]) -> bool:
 
 def mark_of(started: dict[str, str], plan: dict) -> str:
     """Of commands, the files that they name here, and a scene."""
+    import hashlib  # loads OpenSSL, which a scene without commands need not wait for
+
     located = {role: [located_word(word) for word in words(role, command)] for role, command in started.items()}
     return hashlib.sha256(json.dumps([located, plan["scene_fingerprint"]], sort_keys=True).encode()).hexdigest()
 

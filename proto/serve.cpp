@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
+#include "core/pages.hpp"
 #include "core/text.hpp"
 #include "proto/desk.hpp"
 #include "proto/transport/link.hpp"
@@ -31,6 +32,7 @@ int take_part(Solver& solver, const std::string& role, const Connection& connect
         return failed;
       }
       if (std::holds_alternative<Goodbye>(request.message)) return 0;
+      if (std::holds_alternative<Accept>(request.message)) return_pages_where_scarce();
     }
   } catch (const std::exception& e) {
     log::error("{}", e.what());

@@ -71,7 +71,8 @@ class NavierStokes {
   void accept();
   void restore();
   /// What would keep the first step from being taken, or is doubtful in it, found without solving anything:
-  /// cut geometry, numbering, formulas, what holds the fluid, what flows into parts of it that are closed.
+  /// cut geometry, numbering, formulas, what holds the fluid, what flows into parts of it that are closed. A
+  /// step under way is dropped.
   Findings rehearse(const Request& request);
 
   const Mesh& mesh() const { return space_.mesh; }

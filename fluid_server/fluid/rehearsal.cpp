@@ -25,6 +25,7 @@ std::vector<double> NavierStokes::times_asked_for(const Request& request) const 
 }
 
 Findings NavierStokes::rehearse(const Request& request) {
+  restore();  // the geometry of a step under way does not stay
   Findings findings;
   if (!findings.attempt("bodies", [&] { check(request.interfaces); })) return findings;
   std::shared_ptr<System> system;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <new>
 
+#include "core/pages.hpp"
 #include "mutator.hpp"
 
 namespace fpi::fuzz {
@@ -82,6 +83,7 @@ void limit_memory() {
 template <class Input>
 [[noreturn]] void run_child(Number* number, std::uint64_t end, Input input) {
   limit_memory();
+  keep_pages();  // as the programs do
   for (; *number < end; ++*number) {
     const Bytes bytes = input(number->load());
     alarm(patience);

@@ -70,7 +70,9 @@ std::vector<Bytes> seeds() {
   const Envelope covered{{1, 1, 0}, FluidAdvance{0.01, 0.01, {wide}}};
   const Envelope next{{1, 2, 0}, FluidAdvance{.time = 0.02, .time_step = 0.01, .same_interfaces = true}};
   const Envelope steady{{1, 0, 0}, FluidAdvance{.interfaces = {square()}}};
+  const Envelope rehearsal{{1, 1, 0}, FluidAdvance{.time = 0.01, .time_step = 0.01, .rehearsal = true}};
   return {
+      conversation({step, rehearsal, {{1, 1, 0}, Accept{}}}),
       conversation({step, {{1, 1, 0}, Accept{}}, {{1, 1, 0}, Write{true}}, {{1, 1, 0}, Goodbye{"the end"}}}),
       conversation({step, again, {{1, 1, 1}, Accept{{0}}}, next}),
       conversation(
