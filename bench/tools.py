@@ -78,10 +78,10 @@ def dolfinx(size: str, script: str, arguments: list, values: Callable[[dict], di
 
 
 def gmsh_mesh(name: str, size: float, order: int, folder: Path) -> Path:
-    """The mesh of configs/NAME.geo with all sizes scaled, its edges straight (order 1) or curved (2)."""
+    """The mesh of configs/flow/NAME.geo with all sizes scaled, its edges straight (order 1) or curved (2)."""
     mesh = folder / f"{name}-{size:g}-{order}.msh"
     if not mesh.exists():
         command = ["gmsh", "-2", "-order", str(order), "-format", "msh22", "-setnumber", "size", f"{size:g}",
-                   str(ROOT / "configs" / f"{name}.geo"), "-o", str(mesh)]
+                   str(ROOT / "configs" / "flow" / f"{name}.geo"), "-o", str(mesh)]
         subprocess.run(command, check=True, capture_output=True)
     return mesh

@@ -13,23 +13,23 @@ constexpr int usage_error = 2;
 
 CommandLine read_coupler_command_line(int argc, char** argv) {
   CommandLine line;
-  SessionOptions& session = line.session;
+  RunOptions& run = line.run;
   std::string plan, check;
   bool reference = false;
   CLI::App app("Reads a scene, couples its participants and writes the results.", "coupler");
   app.set_version_flag("--version", version_text("coupler"));
-  CLI::Option* scene = app.add_option("--scene", session.scene, "scene file to run");
-  CLI::Option* out = app.add_option("--out", session.folder, "folder of the results");
-  app.add_option("--set", session.overrides, "key=value instead of what the scene says")
+  CLI::Option* scene = app.add_option("--scene", run.scene, "scene file to run");
+  CLI::Option* out = app.add_option("--out", run.folder, "folder of the results");
+  app.add_option("--set", run.overrides, "key=value instead of what the scene says")
       ->allow_extra_args(false);
-  app.add_option("--stages", session.stages, "folder of the runs of scenes that grains come from")
+  app.add_option("--stages", run.stages, "folder of the runs of scenes that grains come from")
       ->capture_default_str();
-  app.add_option("--listen", session.listen,
+  app.add_option("--listen", run.listen,
                  "address for participants, tcp://HOST:PORT; * takes a free port");
-  app.add_option("--keys", session.keys, "folder of CURVE keys; needed for an address that is not loopback");
-  app.add_flag("--watch-stdin", session.watch_stdin, "read \"exited ROLE STATUS\" from standard input");
+  app.add_option("--keys", run.keys, "folder of CURVE keys; needed for an address that is not loopback");
+  app.add_flag("--watch-stdin", run.watch_stdin, "read \"exited ROLE STATUS\" from standard input");
   CLI::Option* resume =
-      app.add_flag("--resume", session.resume, "continue the run in --out at its checkpoint");
+      app.add_flag("--resume", run.resume, "continue the run in --out at its checkpoint");
   CLI::Option* planned = app.add_option("--plan", plan, "print as JSON which participants a scene needs");
   CLI::Option* checked = app.add_option("--check", check, "check a scene");
   app.add_flag("--json", line.json, "with --check: print the report as JSON");
@@ -41,10 +41,10 @@ CommandLine read_coupler_command_line(int argc, char** argv) {
     app.parse(argc, argv);
     if (*planned) {
       line.task = Task::plan;
-      session.scene = plan;
+      run.scene = plan;
     } else if (*checked) {
       line.task = Task::check;
-      session.scene = check;
+      run.scene = check;
     } else if (reference) {
       line.task = Task::reference;
     } else if (*make_keys) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "session.hpp"
+#include "run/run_process.hpp"
 
 namespace fpi {
 
@@ -12,7 +12,7 @@ enum class Task { run, plan, check, reference, make_keys };
 
 struct CommandLine {
   Task task = Task::run;
-  SessionOptions session;
+  RunOptions run;
   std::string keys_folder;         ///< for Task::make_keys
   bool json = false;               ///< for Task::check
   std::optional<int> exit_status;  ///< --help, --version or a mistake was answered already

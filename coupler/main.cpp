@@ -3,17 +3,17 @@
 #include <csignal>
 #include <cstdio>
 
-#include "check.hpp"
+#include "run/check.hpp"
 #include "command_line.hpp"
 #include "core/error.hpp"
 #include "core/pages.hpp"
-#include "json.hpp"
-#include "plan.hpp"
+#include "run/json.hpp"
+#include "setup/plan.hpp"
 #include "proto/host.hpp"
 #include "proto/keys.hpp"
-#include "run_folder.hpp"
+#include "run/run_folder.hpp"
 #include "scene/scene.hpp"
-#include "stages.hpp"
+#include "run/stages.hpp"
 
 namespace fpi {
 namespace {
@@ -26,7 +26,7 @@ void listen_to_signals() {
   std::signal(SIGPIPE, SIG_IGN);  // a launcher that is gone must not take the results with it
 }
 
-void print_plan(const SessionOptions& options) {
+void print_plan(const RunOptions& options) {
   StagedScene staged = read_staged(options.scene, options.overrides, options.stages);
   const Files files = read_files(find_files(staged, options.scene, Unready::leave_out), options.scene);
   std::puts(to_json(make_plan(staged, files)).c_str());
@@ -35,11 +35,11 @@ void print_plan(const SessionOptions& options) {
 int carry_out(const CommandLine& line) {
   switch (line.task) {
     case Task::run:
-      return run_session(line.session);
+      return run_process(line.run);
     case Task::check:
-      return check_scene(line.session, line.json);
+      return check_scene(line.run, line.json);
     case Task::plan:
-      print_plan(line.session);
+      print_plan(line.run);
       return 0;
     case Task::reference:
       std::fputs(scene::reference().c_str(), stdout);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dem/facets.hpp"
+#include "dem/walls/facets.hpp"
 
 namespace fpi::dem {
 

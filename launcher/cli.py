@@ -6,10 +6,12 @@ import shutil
 import sys
 from pathlib import Path
 
-from launcher import build, display, report, run, scenes, trust
-from launcher.common import MISUSED, ROOT, VERSION, Refusal, program, programs, require_plain
+from launcher import scenes
+from launcher.common import MISUSED, ROOT, Refusal, VERSION, program, programs, require_plain
 from launcher.ending import document
 from launcher.processes import answer, ended
+from launcher.run import display, report, run, trust
+from launcher.setup import build
 
 
 class Parser(argparse.ArgumentParser):
@@ -153,7 +155,7 @@ def do_resume(arguments) -> int:
 
 def do_sweep(arguments) -> int:
     ensure_programs(arguments.quiet or arguments.json)
-    from launcher import sweep
+    from launcher.study import sweep
 
     scene = scenes.find(arguments.scene)
     out = arguments.out or Path("runs") / f"{scene.stem}-sweep"
@@ -176,7 +178,7 @@ def do_sweep(arguments) -> int:
 
 def run_point(scene: Path, point, folder: Path, arguments):
     """Exit status and row of a point of a sweep: what its run left behind, which is made or taken to its end first."""
-    from launcher import sweep
+    from launcher.study import sweep
 
     overrides = [*arguments.overrides, *point.overrides]
     plan = run.plan(scene, overrides)
@@ -195,7 +197,7 @@ def run_point(scene: Path, point, folder: Path, arguments):
 
 def report_sweep(out: Path, rows: list, arguments) -> None:
     """Table, fit of Darcy's and Forchheimer's law where the drive was swept, and picture."""
-    from launcher import sweep
+    from launcher.study import sweep
 
     done = [row for row in rows if row.status == "completed"]
     driven = any(sweep.is_drive(key) for key in rows[0].point.values) and any("pressure_gradient" in row.figures for row in done)
@@ -267,7 +269,7 @@ def do_check(arguments) -> int:
 
 def do_plot(arguments) -> int:
     ensure_packages()
-    from launcher import plot  # needs packages that set-up installs
+    from launcher.plots import plot  # needs packages that set-up installs
 
     pictures = plot.draw(arguments.run, arguments.movie)
     for picture in pictures:
@@ -278,15 +280,19 @@ def do_plot(arguments) -> int:
 
 
 def do_mesh(arguments) -> int:
-    from launcher import mesh
+    from launcher.setup import mesh
 
     print(mesh.make(arguments.geometry, arguments.size, arguments.out))
     return 0
 
 
 def do_list(_arguments) -> int:
-    for name, title in scenes.titles():
-        print(f"{name:18s} {title}")
+    field = ""
+    for folder, name, title in scenes.titles():
+        if folder != field:
+            field = folder
+            print(f"{field.replace('_', ' ')}:")
+        print(f"  {name:32s} {title}")
     return 0
 
 
@@ -328,7 +334,7 @@ def do_bench(arguments) -> int:
 
 def do_stress(arguments) -> int:
     ensure_programs(arguments.json, *(["interface_stress"] if arguments.subject == "interface" else []))
-    from launcher import stress
+    from launcher.study import stress
 
     sweep = stress.Sweep(arguments.subject, arguments.seed, arguments.cases, arguments.only, arguments.quick)
     results = sweep.run(arguments.jobs, arguments.json)
@@ -344,7 +350,7 @@ def do_stress(arguments) -> int:
 def do_paper(_arguments) -> int:
     ensure_packages()
     build.build()
-    from launcher import paper  # needs packages that set-up installs
+    from launcher.study import paper  # needs packages that set-up installs
 
     paper.make(lambda scene, folder: carry_out(["run", str(scene), "--out", str(folder)]))
     return 0
@@ -367,6 +373,6 @@ def ensure_programs(quiet: bool, *more: str) -> None:
 
 
 def ensure_packages(quiet: bool = False) -> None:
-    from launcher import packages
+    from launcher.setup import packages
 
     packages.ensure(say=(lambda text: None) if quiet else print)

@@ -13,8 +13,8 @@ def find(word: str) -> Path:
 
 
 def find_file(word: str, suffix: str, what: str) -> Path:
-    """The file called `word`: a path, or a name in configs/."""
-    places = Path(word), FOLDER / word, FOLDER / f"{word}{suffix}"
+    """The file called `word`: a path, or a name in a folder of configs/."""
+    places = Path(word), *(path for path in shipped(suffix) if word in (path.stem, path.name))
     for path in places:
         if path.is_file():
             return path
@@ -23,13 +23,18 @@ def find_file(word: str, suffix: str, what: str) -> Path:
             raise Refusal(f"a {what} file is required; {path} is a link to nothing")
         if path.exists():
             require_regular(path)
-    names = ", ".join(path.stem for path in sorted(FOLDER.glob(f"*{suffix}")))
+    names = ", ".join(path.stem for path in shipped(suffix))
     raise Refusal(f"a {what} file ({suffix}) is required; there is no {word}. Those that come with fpi: {names}")
 
 
-def titles() -> list[tuple[str, str]]:
-    """Name and title of each scene in configs/."""
-    return [(path.stem, title(path)) for path in sorted(FOLDER.glob("*.toml"))]
+def shipped(suffix: str) -> list[Path]:
+    """The files in configs/, whose folders are fields of physics, by name."""
+    return sorted(FOLDER.glob(f"*/*{suffix}"), key=lambda path: path.name)
+
+
+def titles() -> list[tuple[str, str, str]]:
+    """Folder, name and title of each scene in configs/, folder by folder."""
+    return [(path.parent.name, path.stem, title(path)) for path in sorted(FOLDER.glob("*/*.toml"))]
 
 
 def title(scene: Path) -> str:

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "dem/attraction.hpp"
+#include "dem/contact/attraction.hpp"
 
 namespace fpi::dem {
 namespace {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "dem/energy.hpp"
-#include "dem/integrator.hpp"
+#include "dem/integrate/energy.hpp"
+#include "dem/integrate/integrator.hpp"
 
 namespace fpi::dem {
 

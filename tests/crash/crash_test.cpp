@@ -7,7 +7,7 @@
 
 #include "../unit/coupling/run_case.hpp"
 #include "kill_at_write.hpp"
-#include "run_folder.hpp"
+#include "run/run_folder.hpp"
 
 namespace fpi {
 namespace {

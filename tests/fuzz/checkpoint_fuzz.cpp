@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "checkpoint.hpp"
+#include "run/checkpoint.hpp"
 #include "core/bytes.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -40,7 +40,7 @@ namespace fpi::fuzz {
 std::vector<Bytes> seeds() {
   Checkpoint checkpoint{.inputs = {.scene = 7, .files = {{"t.csv", 8}, {"a.msh", 9}}},
                         .time = 0.5,
-                        .simulation = {{"steps", {5}}, {"position", {1, 2, 3}}, {"left", {}}},
+                        .problem = {{"steps", {5}}, {"position", {1, 2, 3}}, {"left", {}}},
                         .time_window = {1, 2},
                         .statistics = {3},
                         .file_sizes = {4, 5},

@@ -35,7 +35,7 @@ inline std::string_view text(const std::uint8_t* data, std::size_t size) {
 /// The content of the files of a folder, in the order of their names.
 inline std::vector<Bytes> files(const std::filesystem::path& folder, std::string_view extension = "") {
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
     if (extension.empty() || entry.path().extension() == extension) paths.push_back(entry.path());
   std::ranges::sort(paths);
   std::vector<Bytes> contents;

@@ -136,6 +136,7 @@ void write_seeds(const std::filesystem::path& folder) {
 
 bool mutate(const std::string& target, const Options& options) {
   const std::vector<Bytes> all = seeds();
+  if (all.empty()) fault("no seeds: the files that they come from are not there");
   const bool seeds_good = run(target + "-seed", 0, all.size(), [&all](std::uint64_t i) { return all[i]; });
   Mutator mutator(all, words());
   const bool good = run(target, options.first, options.first + options.count,

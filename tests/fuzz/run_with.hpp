@@ -7,7 +7,7 @@
 #include "conversation.hpp"
 #include "core/timer.hpp"
 #include "proto/host.hpp"
-#include "run.hpp"
+#include "run/time_loop.hpp"
 #include "scene/scene.hpp"
 
 namespace fpi::fuzz {
@@ -52,7 +52,7 @@ inline void run(const char* text, Participants participants) {
   const TemporaryFolder folder;
   Ledger ledger;
   try {
-    Run run(scene, participants, folder.path(), 1, ledger);
+    TimeLoop run(scene, participants, folder.path(), 1, ledger);
     run.start({});
     run.march();
     log::info("the run ends well");

@@ -8,7 +8,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from launcher import granular, plot, results, stl
+from launcher.plots import granular, plot, results, stl
 
 COUNT = 20
 SCENE = '''gravity = [0, 0, -9.81]

@@ -10,8 +10,8 @@ import granular_test
 import numpy as np
 import plot_test
 
-from launcher import movie, plot, results
 from launcher.common import Refusal
+from launcher.plots import movie, plot, results
 
 
 class Movie(unittest.TestCase):

@@ -10,8 +10,8 @@ from unittest import mock
 import numpy as np
 from PIL import Image
 
-from launcher import paper
 from launcher.common import Refusal
+from launcher.study import paper
 
 SUMMARY = {"coefficients": {"drag": 5.57953, "second.lift": 0.25}, "boundaries": [{"name": "step", "force": [1.5, 2, 0]}]}
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from launcher import charts, maps, obstacles, plot, results
 from launcher.common import Refusal
+from launcher.plots import charts, maps, obstacles, plot, results
 
 POINTS = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0], [1, 0.5], [0.5, 0.5], [0.5, 1], [0, 0.5]], float)
 CELLS = np.array([[0, 1, 2, 4, 5, 6], [0, 2, 3, 6, 7, 8]], np.uint32)

@@ -6,8 +6,8 @@ import unittest
 
 from fakes import FakeTest
 
-from launcher import sweep
 from launcher.common import Refusal
+from launcher.study import sweep
 
 
 WATER = sweep.Medium(density=2.0, viscosity=0.5, direction="x")

@@ -15,7 +15,9 @@ from unittest import mock
 
 from fakes import FakeTest
 
-from launcher import build, cli, common, mesh, packages, processes, report, run, scenes
+from launcher import cli, common, processes, scenes
+from launcher.run import report, run
+from launcher.setup import build, mesh, packages
 
 
 class Words(FakeTest):
@@ -45,14 +47,19 @@ class Words(FakeTest):
     def test_list_has_every_scene_with_its_title(self):
         status, out, _ = self.fpi("list")
         self.assertEqual(status, 0)
-        self.assertEqual(len(out.splitlines()), len(list(scenes.FOLDER.glob("*.toml"))))
-        for line in out.splitlines():
-            self.assertGreater(len(line.split()), 3, line)
+        listed = [line.split() for line in out.splitlines() if line.startswith("  ")]
+        self.assertEqual(sorted(words[0] for words in listed), [path.stem for path in scenes.shipped(".toml")])
+        for words in listed:
+            self.assertGreater(len(words), 3, words)
+
+    def test_a_shipped_scene_is_found_by_its_name_whatever_its_folder(self):
+        for path in scenes.shipped(".toml"):
+            self.assertEqual((scenes.find(path.stem), scenes.find(path.name)), (path, path))
 
     def test_the_readme_tells_of_every_scene(self):
         table = (common.ROOT / "README.md").read_text().split("\n## Scenes\n")[1].split("\n## ")[0]
         told = [name for row in re.findall(r"^\| (`.*?) \|", table, re.M) for name in re.findall(r"`(\w+)`", row)]
-        self.assertEqual(sorted(told), sorted(path.stem for path in scenes.FOLDER.glob("*.toml")))
+        self.assertEqual(sorted(told), [path.stem for path in scenes.shipped(".toml")])
 
     def test_mesh_without_gmsh_says_what_to_install(self):
         with mock.patch.object(mesh.shutil, "which", lambda name: None):
@@ -181,7 +188,7 @@ class Start(unittest.TestCase):
     """What stands before every run."""
 
     def test_a_run_imports_nothing_that_it_does_not_need(self):
-        heavy = {"rich", "h5py", "numpy", "matplotlib", "PIL", "tomllib", "dataclasses", "launcher.packages"}
+        heavy = {"rich", "h5py", "numpy", "matplotlib", "PIL", "tomllib", "dataclasses", "launcher.setup.packages"}
         script = ("import sys; sys.path.insert(0, sys.argv[1]); from launcher import cli; "
                   "cli.parser().parse_args(['run', 'cavity', '--json']); print(*sys.modules)")
         done = subprocess.run([sys.executable, "-I", "-c", script, str(common.ROOT)], capture_output=True, text=True,

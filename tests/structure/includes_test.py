@@ -22,6 +22,8 @@ ALLOWED = {
 # The rooms of a library, lowest first: each may see itself and those below it; files outside of them stand on top.
 ROOMS = {
     "fluid_server/fluid": ["base", "geometry", "linear", "mesh", "cut", "discretisation", "solve", "measure"],
+    "dem_server/dem": ["base", "walls", "model", "neighbours", "contact", "lubrication", "integrate"],
+    "coupler": ["coupling", "step", "results", "setup", "run"],
 }
 # Folders whose headers are named from there, as in `#include "dem/contact.hpp"`.
 INCLUDE_FOLDERS = "common", "proto", "fluid_server", "dem_server", "coupler", ""
@@ -96,8 +98,9 @@ class Includes(unittest.TestCase):
                 below = rooms[:rooms.index(room) + 1] if room in rooms else rooms
                 for include in includes:
                     parts = include.split("/")
-                    if parts[0] == library and len(parts) == 3:
-                        self.assertIn(parts[1], below, f"{name} includes {include}")
+                    inner = parts[1] if parts[0] == library and len(parts) == 3 else parts[0]
+                    if inner in rooms:
+                        self.assertIn(inner, below, f"{name} includes {include}")
 
     def test_rooms_are_all_there_is(self):
         for folder, rooms in ROOMS.items():

@@ -90,7 +90,7 @@ class CtrlC(FpiCase):
         self.assertFalse((self.folder / "s" / "end_2").exists())
 
     def test_a_program_of_the_build_ends_with_the_launcher(self):
-        script = ("import sys; from pathlib import Path; sys.path.insert(0, sys.argv[1]); from launcher import build, ending; "
+        script = ("import sys; from pathlib import Path; sys.path.insert(0, sys.argv[1]); from launcher import ending; from launcher.setup import build; "
                   "ending.end([], lambda words: build.follow(['sleep', '600'], Path('log'), 'building', True))")
         process = subprocess.Popen([sys.executable, "-I", "-c", script, str(ROOT)], cwd=self.folder, stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE)

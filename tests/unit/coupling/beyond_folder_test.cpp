@@ -1,5 +1,5 @@
 /// What a scene does beyond its own folder is told.
-#include "beyond_folder.hpp"
+#include "setup/beyond_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "../temporary_folder.hpp"
-#include "stages.hpp"
+#include "run/stages.hpp"
 
 namespace fpi {
 namespace {

@@ -1,5 +1,5 @@
 /// Checkpoints: what is damaged is refused, the one before it is taken, and what the run rests on is named.
-#include "checkpoint.hpp"
+#include "run/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ scene::Scene a_scene() {
 Checkpoint a_checkpoint(double steps, const Files& files = {}) {
   return {.inputs = inputs_up_to_any_end(a_scene(), files),
           .time = 0.1 * steps,
-          .simulation = {{"steps", {steps}}, {"position", {0.1, -2, 3e-300}}, {"none", {}}},
+          .problem = {{"steps", {steps}}, {"position", {0.1, -2, 3e-300}}, {"none", {}}},
           .time_window = {1, 2, 3},
           .statistics = {4, std::nan("")},
           .file_sizes = {5},
@@ -35,7 +35,7 @@ Checkpoint a_checkpoint(double steps, const Files& files = {}) {
 }
 
 double steps_in(const std::string& folder, const Files& files = {}) {
-  return read_checkpoint(folder, inputs_up_to_any_end(a_scene(), files)).simulation.at("steps").front();
+  return read_checkpoint(folder, inputs_up_to_any_end(a_scene(), files)).problem.at("steps").front();
 }
 
 std::string refusal(const std::string& folder, const Inputs& inputs) {
@@ -61,7 +61,7 @@ TEST(Checkpoint, comes_back_to_the_bit) {
   const Checkpoint after = checkpoint_from_bytes(bytes);
   EXPECT_EQ(to_bytes(after), bytes);
   EXPECT_EQ(after.inputs, before.inputs);
-  EXPECT_EQ(after.simulation, before.simulation);
+  EXPECT_EQ(after.problem, before.problem);
   EXPECT_EQ(after.participants, before.participants);
   EXPECT_EQ(after.time, before.time);
 }

@@ -1,8 +1,8 @@
 /// Bodies that leave the scene while it runs: who, when, and what is left of them.
-#include "outlets.hpp"
+#include "step/outlets.hpp"
 
-#include "groups.hpp"
-#include "onset_drives.hpp"
+#include "results/groups.hpp"
+#include "results/onset_drives.hpp"
 #include "run_case.hpp"
 
 namespace fpi {
@@ -81,7 +81,7 @@ TEST_F(Leaving, a_body_that_left_has_no_place_in_the_results_and_rests) {
   const std::vector<double> position = file.doubles("/position");
   EXPECT_TRUE(std::isfinite(position[1])) << "there at first";
   EXPECT_TRUE(std::isnan(position.back()));
-  const CoupledState& state = run.simulation().state();
+  const CoupledState& state = run.problem().state();
   EXPECT_TRUE(state.motions[0].velocity.isZero(0));
   scene::Grains& group = scene.grains.emplace_back();
   group.name = "grain";
@@ -119,14 +119,14 @@ TEST_F(Leaving, the_onset_of_motion_has_its_time_its_body_and_what_drove_it) {
   const output::Columns history = output::read_columns(folder / "history.csv");
   const std::vector<double>& y = history.at("high.y");
   const auto first = std::ranges::find_if(y, [](double height) { return height < 3.5; }) - y.begin();
-  const auto& onset = run.simulation().state().onset;
+  const auto& onset = run.problem().state().onset;
   ASSERT_TRUE(onset);
   EXPECT_EQ(onset->body, 1u);
   EXPECT_EQ(onset->time, history.at("time")[static_cast<std::size_t>(first)]);
   EXPECT_EQ(drives_at(*onset, scene, folder.path()),
             (std::map<std::string, double>{{"p", history.at("p")[static_cast<std::size_t>(first)]}}));
   scene.output.onset = 0;
-  EXPECT_FALSE(find_onset(scene, run.simulation().state().motions, 1)) << "nobody asked";
+  EXPECT_FALSE(find_onset(scene, run.problem().state().motions, 1)) << "nobody asked";
 }
 
 TEST(Outlets, a_disc_leaves_as_a_whole_a_held_one_never) {

@@ -10,16 +10,16 @@
 #include "../temporary_folder.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
-#include "extrema.hpp"
+#include "results/extrema.hpp"
 #include "fakes.hpp"
 #include "output/h5_file.hpp"
 #include "output/table.hpp"
-#include "plan.hpp"
-#include "run.hpp"
+#include "setup/plan.hpp"
+#include "run/time_loop.hpp"
 
 namespace fpi {
 
-using CoupledRun = fpi::Run;  // testing::Test has a Run of its own
+using CoupledRun = fpi::TimeLoop;  // testing::Test has a Run of its own
 
 inline constexpr double gravity = -9.81;
 

@@ -1,5 +1,5 @@
 /// What a run folder says of its run: whether it is under way, and how it ended.
-#include "run_folder.hpp"
+#include "run/run_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "../temporary_folder.hpp"
 #include "core/error.hpp"
-#include "json.hpp"
+#include "run/json.hpp"
 
 namespace fpi {
 namespace {

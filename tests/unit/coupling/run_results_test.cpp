@@ -125,11 +125,11 @@ TEST_F(RunTest, a_run_that_fails_leaves_the_last_state_that_it_can_be_resumed_fr
   scene.time.end = 6;
   CoupledRun run = make_run(scene);
   run.start({});
-  run.on_progress = [&](const Standing& standing) {
+  run.on_progress = [&](const RunProgress& standing) {
     if (standing.step == 30) fail("stopped");
   };
   EXPECT_THROW(run.march(), Error);
-  EXPECT_EQ(newest_checkpoint(scene).simulation.at("steps").front(), 25);
+  EXPECT_EQ(newest_checkpoint(scene).problem.at("steps").front(), 25);
   const output::H5File bodies = output::H5File::read(folder / "bodies.h5");
   EXPECT_EQ(bodies.shape("/position")[0], 30u) << "all rows are in the file";
 }

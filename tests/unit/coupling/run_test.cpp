@@ -15,7 +15,7 @@ TEST_F(RunTest, a_falling_body_follows_the_implicit_solution_of_its_equation) {
     v = ((1 + 3) * v + 0.1 * (0.5 + gravity)) / (1 + 3 + 2 * 0.1);
     y += 0.05 * (before + v);
   }
-  const coupling::RigidMotion& motion = run.simulation().state().motions[0];
+  const coupling::RigidMotion& motion = run.problem().state().motions[0];
   EXPECT_NEAR(motion.velocity.y(), v, 1e-5 * std::abs(v));
   EXPECT_NEAR(motion.position.y(), y, 1e-5);
   EXPECT_EQ(run.statistics().steps(), 12u);
@@ -61,7 +61,7 @@ TEST_F(RunTest, where_more_than_weight_acts_the_dem_gets_the_resistance_of_the_f
     run.march();
     double v = 0;
     for (int k = 0; k < 12; ++k) v = ((1 + 3) * v + 0.1 * (0.5 + gravity)) / (1 + 3 + (2 + damper) * 0.1);
-    EXPECT_NEAR(run.simulation().state().motions[0].velocity.y(), v, 1e-5 * std::abs(v));
+    EXPECT_NEAR(run.problem().state().motions[0].velocity.y(), v, 1e-5 * std::abs(v));
     // Known from the first step on what acts, each step is foreseen, or corrected once.
     EXPECT_LE(own_fluid.asked.size(), damper > 0 ? 24u : 12u);
     const auto wanted = std::ranges::count_if(own_fluid.asked, &proto::FluidAdvance::wants_resistance);
@@ -103,13 +103,13 @@ TEST_F(RunTest, bodies_go_no_farther_in_a_step_than_allowed_and_the_end_is_hit) 
   CoupledRun run = make_run(scene);
   run.start({});
   double last = 3, largest = 0;
-  run.on_progress = [&](const Standing&) {
-    const double y = run.simulation().state().motions[0].position.y();
+  run.on_progress = [&](const RunProgress&) {
+    const double y = run.problem().state().motions[0].position.y();
     largest = std::max(largest, std::abs(y - last) / h);
     last = y;
   };
   run.march();
-  EXPECT_EQ(run.standing().time, 1.2);
+  EXPECT_EQ(run.progress().time, 1.2);
   EXPECT_LE(largest, 0.5);
   EXPECT_GT(largest, 0.35);
   EXPECT_GT(run.statistics().repeated(), 0u);
@@ -182,7 +182,7 @@ TEST_F(RunTest, a_dry_scene_falls_freely_without_loads) {
   run.march();
   EXPECT_EQ(dem.asked.size(), 12u);
   EXPECT_TRUE(dem.asked[0].loads.empty());
-  EXPECT_NEAR(run.simulation().state().motions[0].position.y(), 3 + 0.5 * gravity * 1.44, 1e-12);
+  EXPECT_NEAR(run.problem().state().motions[0].position.y(), 3 + 0.5 * gravity * 1.44, 1e-12);
   EXPECT_FALSE(std::filesystem::exists(folder / "fields.h5"));
   EXPECT_FALSE(std::filesystem::exists(folder / "interface.h5"));
 }
@@ -215,7 +215,7 @@ TEST_F(RunTest, steps_that_do_not_converge_are_restored_and_halved_and_the_end_i
   CoupledRun run = make_run(scene);
   run.start({});
   run.march();
-  EXPECT_EQ(run.standing().time, 1.2);
+  EXPECT_EQ(run.progress().time, 1.2);
   EXPECT_GT(run.statistics().steps(), 40u);
   EXPECT_GT(fluid.restores, 1u);
   EXPECT_EQ(fluid.restores, dem.restores);
@@ -228,7 +228,7 @@ TEST_F(RunTest, after_all_halvings_the_run_ends_with_the_reason_and_its_results)
   scene.time.max_halvings = 2;
   CoupledRun run = make_run(scene);
   run.start({});
-  run.on_progress = [this](const Standing& s) {
+  run.on_progress = [this](const RunProgress& s) {
     if (s.step == 4) fluid.largest_step = 1e-9;
   };
   try {
@@ -310,7 +310,7 @@ TEST_F(RunTest, errors_among_the_findings_of_the_fluid_end_the_run_before_its_fi
 
 TEST_F(RunTest, a_rehearsal_sends_the_first_message_of_a_run_and_nothing_else) {
   const scene::Scene scene = make_scene({disc("a", "free"), disc("b", "prescribed")});
-  Simulation rehearsed(scene, {&fluid, &dem}, 1);
+  CoupledProblem rehearsed(scene, {&fluid, &dem}, 1);
   rehearsed.configure({}, {});
   rehearsed.rehearse(0.1, 0.1);
   ASSERT_EQ(fluid.asked.size(), 1u);
@@ -318,7 +318,7 @@ TEST_F(RunTest, a_rehearsal_sends_the_first_message_of_a_run_and_nothing_else) {
   EXPECT_TRUE(asked.rehearsal);
   FakeFluid other;
   FakeDem grains = new_dem({{0, 3, 0}, {1, 3, 0}});
-  Simulation taken(scene, {&other, &grains}, 1);
+  CoupledProblem taken(scene, {&other, &grains}, 1);
   taken.configure({}, {});
   taken.attempt(0, 0.1, 0.1);
   EXPECT_EQ(asked.interfaces, other.asked.at(0).interfaces);

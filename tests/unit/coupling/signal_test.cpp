@@ -1,5 +1,5 @@
 /// Extrema, means and frequencies of sampled signals.
-#include "signal.hpp"
+#include "results/signal.hpp"
 
 #include <gtest/gtest.h>
 

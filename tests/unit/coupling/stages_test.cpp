@@ -1,15 +1,15 @@
 /// Scenes that go on from where the grains of another one came to rest.
-#include "stages.hpp"
+#include "run/stages.hpp"
 
 #include <gtest/gtest.h>
 
 #include "../temporary_folder.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
-#include "end_state.hpp"
+#include "results/end_state.hpp"
 #include "grains/expand.hpp"
-#include "json.hpp"
-#include "run_folder.hpp"
+#include "run/json.hpp"
+#include "run/run_folder.hpp"
 
 namespace fpi {
 namespace {

@@ -1,5 +1,5 @@
 /// Forces that need no contact, against their own potentials and the paths that these allow.
-#include "dem/attraction.hpp"
+#include "dem/contact/attraction.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "dem/facets.hpp"
+#include "dem/walls/facets.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
-#include "dem/facet_grid.hpp"
+#include "dem/walls/facet_grid.hpp"
 
 namespace fpi::dem {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "dem/lubrication_law.hpp"
+#include "dem/lubrication/lubrication_law.hpp"
 #include "grains.hpp"
 
 namespace fpi::dem {

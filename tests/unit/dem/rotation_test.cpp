@@ -1,4 +1,4 @@
-#include "dem/rotation.hpp"
+#include "dem/base/rotation.hpp"
 
 #include <gtest/gtest.h>
 

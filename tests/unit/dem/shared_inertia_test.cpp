@@ -1,11 +1,11 @@
 /// Bodies that share their inertia with the fluid between them: a step against the balance it must close.
-#include "dem/shared_inertia.hpp"
+#include "dem/lubrication/shared_inertia.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "dem/bicgstab.hpp"
+#include "dem/base/bicgstab.hpp"
 #include "grains.hpp"
 
 namespace fpi::dem {

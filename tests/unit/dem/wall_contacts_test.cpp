@@ -1,5 +1,5 @@
 /// Grains on walls of many facets and on walls that move: what the exact surface would do.
-#include "dem/wall_contacts.hpp"
+#include "dem/contact/wall_contacts.hpp"
 
 #include <gtest/gtest.h>
 

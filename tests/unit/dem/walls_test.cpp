@@ -1,4 +1,4 @@
-#include "dem/walls.hpp"
+#include "dem/walls/walls.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../../verification/fluid/fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 #include "fluid/solve/history.hpp"
 
 namespace fpi::fluid::testing {

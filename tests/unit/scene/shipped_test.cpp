@@ -14,7 +14,7 @@ const std::filesystem::path root = FPI_ROOT;
 
 TEST(Shipped, every_scene_is_read_and_says_its_source_and_what_to_expect) {
   int scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(root / "configs")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "configs")) {
     if (entry.path().extension() != ".toml") continue;
     ++scenes;
     const Scene scene = read_file(entry.path());

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "dem/lubrication_law.hpp"
-#include "fluid_case.hpp"
+#include "dem/lubrication/lubrication_law.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "../../unit/fluid/ring.hpp"
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid {
 namespace {

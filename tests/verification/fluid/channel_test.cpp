@@ -1,7 +1,7 @@
 /// Flows that the element represents exactly.
 #include <gtest/gtest.h>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid {
 namespace {

@@ -1,7 +1,7 @@
 /// Orders of convergence in space and time, fitted, against manufactured and analytic solutions.
 #include <gtest/gtest.h>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid {
 namespace {

@@ -2,7 +2,7 @@
 /// over sides of the domain. Each is solved as right as its neighbours, or refused with a sentence.
 #include <gtest/gtest.h>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid {
 namespace {

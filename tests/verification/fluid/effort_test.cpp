@@ -1,7 +1,7 @@
 /// What a scene does not need is not done: factorisations, analyses and corrections are counted.
 #include <gtest/gtest.h>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid {
 namespace {

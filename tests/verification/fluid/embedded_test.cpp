@@ -1,7 +1,7 @@
 /// Bodies embedded in the non-matching mesh, against analytic and reference values.
 #include <gtest/gtest.h>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid {
 namespace {

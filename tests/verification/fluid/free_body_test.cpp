@@ -2,7 +2,7 @@
 /// given one, the same force; at any mass, none included.
 #include <gtest/gtest.h>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid::testing {
 namespace {

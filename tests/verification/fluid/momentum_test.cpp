@@ -2,7 +2,7 @@
 /// suddenly.
 #include <gtest/gtest.h>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid::testing {
 namespace {

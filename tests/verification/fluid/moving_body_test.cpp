@@ -2,7 +2,7 @@
 /// and of several elements.
 #include <gtest/gtest.h>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid::testing {
 namespace {

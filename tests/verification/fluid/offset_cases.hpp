@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid::testing {
 

@@ -1,7 +1,7 @@
 /// Flows that repeat themselves along x, y or both, with and without bodies that reach over periodic sides.
 #include <gtest/gtest.h>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid {
 namespace {

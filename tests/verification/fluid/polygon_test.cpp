@@ -1,7 +1,7 @@
 /// Polygons embedded in the mesh, against exact flows and against a mesh that fits them.
 #include <gtest/gtest.h>
 
-#include "fluid_case.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid {
 namespace {
