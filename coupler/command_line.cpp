@@ -20,16 +20,13 @@ CommandLine read_coupler_command_line(int argc, char** argv) {
   app.set_version_flag("--version", version_text("coupler"));
   CLI::Option* scene = app.add_option("--scene", run.scene, "scene file to run");
   CLI::Option* out = app.add_option("--out", run.folder, "folder of the results");
-  app.add_option("--set", run.overrides, "key=value instead of what the scene says")
-      ->allow_extra_args(false);
+  app.add_option("--set", run.overrides, "key=value instead of what the scene says")->allow_extra_args(false);
   app.add_option("--stages", run.stages, "folder of the runs of scenes that grains come from")
       ->capture_default_str();
-  app.add_option("--listen", run.listen,
-                 "address for participants, tcp://HOST:PORT; * takes a free port");
+  app.add_option("--listen", run.listen, "address for participants, tcp://HOST:PORT; * takes a free port");
   app.add_option("--keys", run.keys, "folder of CURVE keys; needed for an address that is not loopback");
   app.add_flag("--watch-stdin", run.watch_stdin, "read \"exited ROLE STATUS\" from standard input");
-  CLI::Option* resume =
-      app.add_flag("--resume", run.resume, "continue the run in --out at its checkpoint");
+  CLI::Option* resume = app.add_flag("--resume", run.resume, "continue the run in --out at its checkpoint");
   CLI::Option* planned = app.add_option("--plan", plan, "print as JSON which participants a scene needs");
   CLI::Option* checked = app.add_option("--check", check, "check a scene");
   app.add_flag("--json", line.json, "with --check: print the report as JSON");

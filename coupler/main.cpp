@@ -3,17 +3,17 @@
 #include <csignal>
 #include <cstdio>
 
-#include "run/check.hpp"
 #include "command_line.hpp"
 #include "core/error.hpp"
 #include "core/pages.hpp"
-#include "run/json.hpp"
-#include "setup/plan.hpp"
 #include "proto/host.hpp"
 #include "proto/keys.hpp"
+#include "run/check.hpp"
+#include "run/json.hpp"
 #include "run/run_folder.hpp"
-#include "scene/scene.hpp"
 #include "run/stages.hpp"
+#include "scene/scene.hpp"
+#include "setup/plan.hpp"
 
 namespace fpi {
 namespace {

@@ -122,8 +122,7 @@ proto::Configured DemService::configure(const proto::Configure& message) {
   Findings findings;
   std::vector<std::string> notes;
   Meshes meshes = read_meshes(scene, message.files, notes, findings);
-  if (!findings.has_errors())
-    solver_.emplace(make_problem(scene, std::move(meshes)), findings);
+  if (!findings.has_errors()) solver_.emplace(make_problem(scene, std::move(meshes)), findings);
   if (findings.has_errors()) {
     solver_.reset();
     return {.findings = findings.all()};

@@ -1,8 +1,8 @@
 /// Products with a matrix of one column, and triangular solutions for one, taken as what they are.
 ///
-/// MUMPS solves with dgemm and dtrsm whatever the number of right-hand sides, and OpenBLAS (before 0.3.27) packs the
-/// whole matrix first, as would pay for many. These calls stand before the library's and send a single column to dgemv
-/// and dtrsv: 0.8 of the time of a solution, 0.93 of that of a settling disc.
+/// MUMPS solves with dgemm and dtrsm whatever the number of right-hand sides, and OpenBLAS (before 0.3.27)
+/// packs the whole matrix first, as would pay for many. These calls stand before the library's and send a
+/// single column to dgemv and dtrsv: 0.8 of the time of a solution, 0.93 of that of a settling disc.
 #include <dlfcn.h>
 
 namespace {

@@ -128,8 +128,8 @@ struct Traction {
   Vec3 torque{};                 ///< [N m] about the centre
   double arc_length = 0;         ///< [m] wanted next; 0: the body meets no element
   Vec3 velocity{}, spin{};       ///< [m/s], [rad/s] that the fluid found, where it was sent a balance
-  /// Impulse of the fluid on the body in the step over its length [N], [N m]: what moves a free body. Where it
-  /// is not given, force and torque are taken for it.
+  /// Impulse of the fluid on the body in the step over its length [N], [N m]: what moves a free body. Where
+  /// it is not given, force and torque are taken for it.
   std::optional<Vec3> mean_force{}, mean_torque{};
 };
 struct FluidAdvanced {

@@ -1,7 +1,7 @@
 /// Steady flows that are known exactly, or by symmetry, wherever the body lies in the mesh.
-#include "fluid_case.hpp"
 #include "bodies.hpp"
 #include "cases.hpp"
+#include "fluid_case.hpp"
 
 namespace fpi::fluid::testing {
 namespace {

@@ -2,9 +2,9 @@
 /// of walls. Speeds, times and sizes are in units of the first body's diameter and fastest point.
 #include <algorithm>
 
-#include "fluid_case.hpp"
 #include "bodies.hpp"
 #include "cases.hpp"
+#include "fluid_case.hpp"
 
 namespace fpi::fluid::testing {
 namespace {

@@ -1,4 +1,5 @@
-/// What this program is: the version of the file VERSION, which decides what it can read, and the commit it was built from.
+/// What this program is: the version of the file VERSION, which decides what it can read, and the commit it
+/// was built from.
 #pragma once
 
 #include <string>

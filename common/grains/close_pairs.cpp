@@ -110,7 +110,8 @@ class Grid {
 std::vector<IndexPair> close_pairs(std::span<const Sphere> spheres, double margin, const Periods& periods) {
   std::vector<IndexPair> pairs;
   if (spheres.empty()) return pairs;
-  static constexpr double farthest = std::numeric_limits<double>::max();  // of the widest spheres, which overflow
+  static constexpr double farthest =
+      std::numeric_limits<double>::max();  // of the widest spheres, which overflow
   const auto reach = [margin](const Sphere& sphere) {
     return std::min(2 * sphere.radius + margin, farthest);
   };

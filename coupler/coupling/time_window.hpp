@@ -48,8 +48,8 @@ class TimeWindow {
   bool ends_at_output() const { return taken_ + 1 == count_; }
   std::int64_t steps_left() const;  ///< an estimate
 
-  /// Before the first step, of bodies or a fluid that start with a velocity: errors of the first two steps are
-  /// not known, and would be the largest of all. They are short where errors are bounded.
+  /// Before the first step, of bodies or a fluid that start with a velocity: errors of the first two steps
+  /// are not known, and would be the largest of all. They are short where errors are bounded.
   void start_suddenly();
   /// Whether the step may be accepted. Where a demand is exceeded by too much it is to be repeated, and is
   /// smaller now, unless it is the smallest already.

@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "scene/scene.hpp"
 #include "results/signal.hpp"
+#include "scene/scene.hpp"
 
 namespace fpi {
 

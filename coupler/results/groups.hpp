@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "step/coupled_state.hpp"
 #include "scene/scene.hpp"
+#include "step/coupled_state.hpp"
 
 namespace fpi {
 

@@ -64,12 +64,10 @@ std::string column_of(const scene::Coefficients& coefficients, const std::string
 
 Reported reported(const scene::Scene& scene, const CoupledProblem& problem) {
   Reported values;
-  for (const scene::Probe& probe : scene.probes)
-    values.probes.push_back(figure_or_nan(problem, probe.name));
+  for (const scene::Probe& probe : scene.probes) values.probes.push_back(figure_or_nan(problem, probe.name));
   for (const std::string& name : holding_boundaries(scene))
     values.boundaries.push_back(boundary_load(problem, name));
-  for (const std::string& name : found_drives(scene))
-    values.drives.push_back(figure_or_nan(problem, name));
+  for (const std::string& name : found_drives(scene)) values.drives.push_back(figure_or_nan(problem, name));
   for (const scene::Coefficients& asked : scene.coefficients)
     values.coefficients.push_back(drag_lift(asked, scene, problem));
   for (std::size_t e = 0; has_energies(scene) && e < scene::Dem::energies.size(); ++e)

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/timer.hpp"
-#include "setup/plan.hpp"
 #include "proto/host.hpp"
 #include "run/remote.hpp"
+#include "setup/plan.hpp"
 #include "step/solver_requests.hpp"
 
 namespace fpi {

@@ -4,19 +4,19 @@
 #include <memory>
 #include <random>
 
-#include "run/admission.hpp"
-#include "setup/beyond_folder.hpp"
 #include "core/log.hpp"
 #include "coupling/time_window.hpp"
-#include "setup/doubts.hpp"
 #include "grains/expand.hpp"
-#include "run/json.hpp"
-#include "setup/places.hpp"
 #include "proto/token.hpp"
+#include "run/admission.hpp"
+#include "run/json.hpp"
 #include "run/run_folder.hpp"
 #include "run/say.hpp"
-#include "scene/reading.hpp"
 #include "run/stages.hpp"
+#include "scene/reading.hpp"
+#include "setup/beyond_folder.hpp"
+#include "setup/doubts.hpp"
+#include "setup/places.hpp"
 
 namespace fpi {
 namespace {

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "run/check_report.hpp"
+#include "proto/messages.hpp"
 #include "results/extrema.hpp"
 #include "results/groups.hpp"
-#include "setup/plan.hpp"
-#include "proto/messages.hpp"
-#include "setup/resolution.hpp"
+#include "run/check_report.hpp"
 #include "run/time_loop.hpp"
+#include "setup/plan.hpp"
+#include "setup/resolution.hpp"
 
 namespace fpi {
 

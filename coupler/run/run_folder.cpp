@@ -15,9 +15,9 @@
 
 #include "core/error.hpp"
 #include "core/read_file.hpp"
-#include "run/json.hpp"
 #include "output/replace.hpp"
 #include "proto/codec.hpp"
+#include "run/json.hpp"
 
 namespace fpi {
 namespace fs = std::filesystem;

@@ -8,8 +8,8 @@
 
 #include "core/findings.hpp"
 #include "scene/scene.hpp"
-#include "step/coupled_problem.hpp"
 #include "setup/stage.hpp"
+#include "step/coupled_problem.hpp"
 
 namespace fpi {
 

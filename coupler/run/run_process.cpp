@@ -10,27 +10,27 @@
 #include <optional>
 #include <random>
 
-#include "run/admission.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
 #include "core/version.hpp"
-#include "setup/doubts.hpp"
-#include "results/end_state.hpp"
 #include "grains/expand.hpp"
-#include "run/json.hpp"
-#include "results/onset_drives.hpp"
 #include "output/replace.hpp"
-#include "setup/places.hpp"
-#include "setup/plan.hpp"
 #include "proto/descriptors.hpp"
 #include "proto/host.hpp"
 #include "proto/token.hpp"
-#include "setup/resolution.hpp"
-#include "run/time_loop.hpp"
+#include "results/end_state.hpp"
+#include "results/onset_drives.hpp"
+#include "run/admission.hpp"
+#include "run/json.hpp"
 #include "run/run_folder.hpp"
 #include "run/say.hpp"
-#include "scene/reading.hpp"
 #include "run/stages.hpp"
+#include "run/time_loop.hpp"
+#include "scene/reading.hpp"
+#include "setup/doubts.hpp"
+#include "setup/places.hpp"
+#include "setup/plan.hpp"
+#include "setup/resolution.hpp"
 
 namespace fpi {
 namespace {
@@ -225,8 +225,8 @@ class RunProcess {
             ? fmt::format("; `./fpi resume {}` continues from the last checkpoint", options_.folder)
             : "";
     const char* kept = s.step > 0 ? "; results up to there are kept" : ", the first";
-    return fmt::format(" (at step {} of about {}, t = {} s of {} s{}{})", s.step, s.steps, s.time, s.end, kept,
-                       further);
+    return fmt::format(" (at step {} of about {}, t = {} s of {} s{}{})", s.step, s.steps, s.time, s.end,
+                       kept, further);
   }
 
   void finish() {

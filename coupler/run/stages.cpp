@@ -6,8 +6,8 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
-#include "setup/inputs.hpp"
 #include "run/run_folder.hpp"
+#include "setup/inputs.hpp"
 
 namespace fpi {
 namespace fs = std::filesystem;

@@ -11,8 +11,8 @@
 
 namespace fpi {
 
-TimeLoop::TimeLoop(const scene::Scene& scene, Participants participants, std::string folder, std::uint64_t run,
-         Ledger& ledger)
+TimeLoop::TimeLoop(const scene::Scene& scene, Participants participants, std::string folder,
+                   std::uint64_t run, Ledger& ledger)
     : scene_(scene),
       participants_(participants),
       folder_(std::move(folder)),
@@ -149,8 +149,7 @@ Attempt TimeLoop::good_attempt() {
       statistics_.add_repeated();
     } else {
       statistics_.add_rejected();
-      log::warning("step {} to t = {} s rejected: {}", problem_.steps() + 1, window_.end(),
-                   attempt.reason);
+      log::warning("step {} to t = {} s rejected: {}", problem_.steps() + 1, window_.end(), attempt.reason);
       if (!window_.halve()) give_up(attempt.reason);
     }
     log::info("trying again with a step of {} s", window_.step());
@@ -182,8 +181,7 @@ void TimeLoop::tell_of_stalls(const Attempt& attempt) {
     if (std::exchange(told_of_remedy_.at(remedy), true)) continue;
     constexpr std::array<const char*, 3> remedies{"what was learnt before is dropped",
                                                   "Aitken's relaxation goes on", "the step is made shorter"};
-    log::warning("step {}: the coupling {} most of all at body \"{}\": {} (said once)",
-                 problem_.steps() + 1,
+    log::warning("step {}: the coupling {} most of all at body \"{}\": {} (said once)", problem_.steps() + 1,
                  event.stall == coupling::Stall::cycle ? "goes round in a cycle," : "stagnates,",
                  problem_.body_of(event.unknown), remedies.at(remedy));
   }

@@ -8,12 +8,12 @@
 #include <optional>
 #include <string>
 
-#include "run/checkpoint.hpp"
 #include "core/timer.hpp"
 #include "coupling/time_window.hpp"
 #include "results/recorder.hpp"
-#include "step/coupled_problem.hpp"
 #include "results/statistics.hpp"
+#include "run/checkpoint.hpp"
+#include "step/coupled_problem.hpp"
 
 namespace fpi {
 
@@ -28,7 +28,7 @@ class TimeLoop {
  public:
   /// `folder` must exist; `ledger.seconds["output"]` takes the time spent on writing.
   TimeLoop(const scene::Scene& scene, Participants participants, std::string folder, std::uint64_t run,
-      Ledger& ledger);
+           Ledger& ledger);
 
   TimeLoop(const TimeLoop&) = delete;
   TimeLoop& operator=(const TimeLoop&) = delete;

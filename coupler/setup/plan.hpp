@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "setup/inputs.hpp"
 #include "scene/scene.hpp"
+#include "setup/inputs.hpp"
 #include "setup/stage.hpp"
 
 namespace fpi {

@@ -125,7 +125,8 @@ Findings CoupledProblem::rehearse(double end, double time_step) {
 /// What the DEM makes of the predicted velocities, with the fluid's balance as the last steps foretell it:
 /// contacts that will open or close change the prediction before the fluid, which costs far more, is asked
 /// at all.
-void CoupledProblem::foresee_contacts(double start, Eigen::VectorXd& velocities, Eigen::VectorXd& force_of_dem) {
+void CoupledProblem::foresee_contacts(double start, Eigen::VectorXd& velocities,
+                                      Eigen::VectorXd& force_of_dem) {
   if (forecast_.knows()) {
     velocities = forecast_.velocities(trial_.time_step, force_of_dem);
     trial_.resistance = forecast_.resistance(trial_.time_step);

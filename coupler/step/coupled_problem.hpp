@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "step/coupled_state.hpp"
 #include "coupling/balance_forecast.hpp"
 #include "coupling/predictor.hpp"
 #include "coupling/prescribed_motion.hpp"
 #include "coupling/response.hpp"
+#include "step/coupled_state.hpp"
 #include "step/outlets.hpp"
 #include "step/solver_requests.hpp"
 

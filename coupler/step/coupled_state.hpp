@@ -10,8 +10,8 @@
 #include "coupling/rigid_dofs.hpp"
 #include "coupling/staggered_iteration.hpp"
 #include "coupling/time_window.hpp"
-#include "step/onset.hpp"
 #include "proto/messages.hpp"
+#include "step/onset.hpp"
 
 namespace fpi {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "step/coupled_state.hpp"
 #include "scene/scene.hpp"
+#include "step/coupled_state.hpp"
 
 namespace fpi {
 

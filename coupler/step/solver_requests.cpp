@@ -50,8 +50,8 @@ double elements_per_diameter(const scene::Scene& scene, std::size_t body, double
          scene.fluid->embedding.arc_ratio / arc_length;
 }
 
-SolverRequests::SolverRequests(const scene::Scene& scene, const coupling::RigidDofs& dofs, Participants participants,
-                 bool fluid_moves_bodies)
+SolverRequests::SolverRequests(const scene::Scene& scene, const coupling::RigidDofs& dofs,
+                               Participants participants, bool fluid_moves_bodies)
     : scene_(scene),
       dofs_(dofs),
       participants_(participants),
@@ -128,7 +128,8 @@ void SolverRequests::warn_where_coarse(std::size_t body) {
       scene_.bodies[body].name, found, asked);
 }
 
-std::string SolverRequests::advance_fluid(const proto::Stamp& stamp, const CoupledState& before, Trial& trial) {
+std::string SolverRequests::advance_fluid(const proto::Stamp& stamp, const CoupledState& before,
+                                          Trial& trial) {
   if (!participants_.fluid) return "";
   const bool wants_resistance = trial.wants_resistance && stamp.sub_iteration == 0;
   proto::FluidAdvance message = message_to_fluid(before, trial);
@@ -160,7 +161,7 @@ Findings SolverRequests::rehearse(const proto::Stamp& stamp, const CoupledState&
 
 /// Each free body's own balance of momentum, for the fluid to solve with its equations.
 void SolverRequests::add_balances(const CoupledState& before, const Trial& trial,
-                           std::vector<proto::Interface>& interfaces) const {
+                                  std::vector<proto::Interface>& interfaces) const {
   auto interface = interfaces.begin();
   for (std::size_t k = 0; k < dofs_.bodies().size(); ++k) {
     const auto at = 3 * static_cast<Eigen::Index>(k);

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "core/findings.hpp"
-#include "step/coupled_state.hpp"
-#include "step/outlets.hpp"
 #include "proto/participant.hpp"
 #include "scene/scene.hpp"
+#include "step/coupled_state.hpp"
+#include "step/outlets.hpp"
 
 namespace fpi {
 
@@ -40,7 +40,7 @@ class SolverRequests {
  public:
   /// `fluid_moves_bodies`: it is sent the balances of the free bodies and finds their velocities.
   SolverRequests(const scene::Scene& scene, const coupling::RigidDofs& dofs, Participants participants,
-          bool fluid_moves_bodies);
+                 bool fluid_moves_bodies);
 
   /// Sends every participant its part of the scene, and its state where a run is resumed. With an error among
   /// the findings nothing else may be asked of them.

@@ -116,7 +116,8 @@ void Doorkeeper::answer_all() {
     const bool admitted = admits(*question);
     if (!admitted) tell_of_refusal((*question)[address].to_string_view());
     Frames answer;
-    for (const auto part : {asker, empty, zap_version, request}) answer.push_back(std::move((*question)[part]));
+    for (const auto part : {asker, empty, zap_version, request})
+      answer.push_back(std::move((*question)[part]));
     for (const char* part :
          {admitted ? "200" : "400", admitted ? "OK" : "unknown", admitted ? "participant" : "", ""})
       answer.emplace_back(std::string_view(part));

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "run/checkpoint.hpp"
 #include "core/bytes.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "fuzz.hpp"
+#include "run/checkpoint.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 /// memory, and in records of four numbers, so that one load takes a vector and what is read with it.
 #pragma once
 
-#include "dem/contact/contact.hpp"
 #include "dem/base/record.hpp"
+#include "dem/contact/contact.hpp"
 
 namespace fpi::dem {
 

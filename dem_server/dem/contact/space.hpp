@@ -3,8 +3,8 @@
 /// moments about the axes that the space has.
 #pragma once
 
-#include "dem/contact/particles.hpp"
 #include "dem/base/triple.hpp"
+#include "dem/contact/particles.hpp"
 
 namespace fpi::dem {
 

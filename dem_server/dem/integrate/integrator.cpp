@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "dem/contact/attraction.hpp"
-#include "dem/integrate/energy.hpp"
-#include "dem/lubrication/films.hpp"
 #include "dem/contact/pair_forces.hpp"
+#include "dem/integrate/energy.hpp"
 #include "dem/integrate/sweep.hpp"
 #include "dem/integrate/trapezoidal.hpp"
+#include "dem/lubrication/films.hpp"
 
 namespace fpi::dem {
 namespace {

@@ -7,9 +7,9 @@
 #include <span>
 #include <string>
 
-#include "dem/lubrication/shared_inertia.hpp"
 #include "dem/contact/state.hpp"
 #include "dem/contact/sub_steps.hpp"
+#include "dem/lubrication/shared_inertia.hpp"
 
 namespace fpi::dem {
 

@@ -6,9 +6,9 @@
 #include <span>
 
 #include "dem/contact/contact.hpp"
+#include "dem/contact/state.hpp"
 #include "dem/lubrication/lubrication_law.hpp"
 #include "dem/lubrication/shared_inertia.hpp"
-#include "dem/contact/state.hpp"
 
 namespace fpi::dem {
 

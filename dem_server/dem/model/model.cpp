@@ -132,7 +132,8 @@ void check_body(const Problem& problem, const scene::Body& body) {
 
 /// Everything but bodies that would leave the plane z = 0 of a scene of discs.
 void check_plane(const Problem& problem, Findings& wrong) {
-  if (!problem.periodic.z.empty()) wrong.error("periodic.z", "periodic.z goes with spheres; got discs: remove it");
+  if (!problem.periodic.z.empty())
+    wrong.error("periodic.z", "periodic.z goes with spheres; got discs: remove it");
   if (problem.gravity.z() != 0)
     wrong.error("gravity", "gravity of a plane scene must have z = 0; got {}", problem.gravity.z());
   for (std::size_t i = 0; i < problem.walls.size(); ++i)

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/findings.hpp"
-#include "dem/model/materials.hpp"
 #include "dem/base/periodic_box.hpp"
+#include "dem/model/materials.hpp"
 #include "dem/walls/walls.hpp"
 #include "scene/bodies.hpp"
 #include "scene/dem.hpp"
@@ -91,9 +91,9 @@ struct Model {
   Box expected;              ///< a free body outside is lost
 };
 
-/// Adds to `wrong` every body, wall or material at fault, with its scene key: an unknown material, a free body
-/// without mass, discs among spheres or moving out of their plane, numbers that are not finite, walls that do
-/// not fit the periodic box. With errors the model is of no use.
+/// Adds to `wrong` every body, wall or material at fault, with its scene key: an unknown material, a free
+/// body without mass, discs among spheres or moving out of their plane, numbers that are not finite, walls
+/// that do not fit the periodic box. With errors the model is of no use.
 Model make_model(const Problem& problem, Findings& wrong);
 /// Throws Error with all of these.
 Model make_model(const Problem& problem);

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "dem/neighbours/contact_list.hpp"
-#include "dem/model/model.hpp"
 #include "dem/base/pair.hpp"
+#include "dem/model/model.hpp"
+#include "dem/neighbours/contact_list.hpp"
 
 namespace fpi::dem {
 

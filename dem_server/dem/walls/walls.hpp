@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "dem/walls/facet_grid.hpp"
 #include "dem/base/rotation.hpp"
+#include "dem/walls/facet_grid.hpp"
 
 namespace fpi::dem {
 

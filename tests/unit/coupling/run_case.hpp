@@ -10,12 +10,12 @@
 #include "../temporary_folder.hpp"
 #include "core/error.hpp"
 #include "core/log.hpp"
-#include "results/extrema.hpp"
 #include "fakes.hpp"
 #include "output/h5_file.hpp"
 #include "output/table.hpp"
-#include "setup/plan.hpp"
+#include "results/extrema.hpp"
 #include "run/time_loop.hpp"
+#include "setup/plan.hpp"
 
 namespace fpi {
 

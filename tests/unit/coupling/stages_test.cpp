@@ -6,8 +6,8 @@
 #include "../temporary_folder.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
-#include "results/end_state.hpp"
 #include "grains/expand.hpp"
+#include "results/end_state.hpp"
 #include "run/json.hpp"
 #include "run/run_folder.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "stress/fluid_case.hpp"
 #include "fluid/solve/history.hpp"
+#include "stress/fluid_case.hpp"
 
 namespace fpi::fluid::testing {
 namespace {

@@ -40,7 +40,8 @@ TEST(Lattice, touches_without_overlap_and_is_as_dense_as_theory_says) {
     EXPECT_NEAR(narrowest_gap(spheres), 0, 1e-12) << kind;
     const double unit = axes == 2 ? pi : 4.0 / 3 * pi;
     const double found = unit * static_cast<double>(spheres.size()) / box.volume();
-    EXPECT_GT(found, solid_fraction * (1 - 2 * spacing / side)) << kind << ": a row may be missing at each side";
+    EXPECT_GT(found, solid_fraction * (1 - 2 * spacing / side))
+        << kind << ": a row may be missing at each side";
     EXPECT_LE(found, solid_fraction * (1 + spacing / side)) << kind;
   }
 }

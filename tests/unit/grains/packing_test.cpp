@@ -51,7 +51,8 @@ Packed periodic(Packed packed) {
 }
 
 TEST(Packing, has_no_overlap_up_to_82_per_cent_of_discs) {
-  for (const double solid_fraction : {0.02, 0.5, 0.75}) expect_packed(to_pack(2, 600, 1.4, solid_fraction), 0);
+  for (const double solid_fraction : {0.02, 0.5, 0.75})
+    expect_packed(to_pack(2, 600, 1.4, solid_fraction), 0);
   expect_packed(periodic(to_pack(2, 600, 1.4, 0.82)), 0);
 }
 

@@ -91,7 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{
             "stiffness_is_not_negative", with(settling, "youngs_modulus = 1e6", "youngs_modulus = -5"),
             "drop.toml:32: materials.0.youngs_modulus must be a finite number ≥ 0 Pa; got -5: correct it (E, "
-            "needed where dem.contact = \"hertz\"; discs touch as spheres of their radius, whatever the thickness)"},
+            "needed where dem.contact = \"hertz\"; discs touch as spheres of their radius, whatever the "
+            "thickness)"},
         Case{"linear_stiffness_is_given", settling + "[dem]\ncontact = \"linear\"\n",
              "drop.toml:30: materials.0.normal_stiffness must be > 0 N/m where dem.contact = \"linear\"; got "
              "nothing"},
