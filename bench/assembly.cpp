@@ -32,8 +32,8 @@ void measure(const char* name, Mesh mesh) {
   std::map<std::string, scene::Boundary> conditions;
   for (const char* side : {"left", "right", "bottom", "top"}) conditions[side].type = "no_slip";
   const Space space(std::move(mesh), conditions);
-  Ledger ledger;
-  System system(space, {}, {}, {}, ledger);
+  Timers timers;
+  System system(space, {}, {}, {}, timers);
   const Index n = space.mesh.n_cells();
   std::printf("%-10s %6d triangles: residual %.2f µs, residual and Jacobian %.2f µs each\n", name, n,
               microseconds_per_cell(system, n, false), microseconds_per_cell(system, n, true));

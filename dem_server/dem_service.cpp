@@ -139,7 +139,7 @@ proto::Configured DemService::configure(const proto::Configure& message) {
 }
 
 proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdvance& message) {
-  const ScopedTimer timer(ledger_, "dem");
+  const ScopedTimer timer(timers_, "dem");
   require(message.time_step <= longest_step_,
           "a step of at most {} s is required, the end of the scene (time.end); got {} s", longest_step_,
           message.time_step);
@@ -148,8 +148,8 @@ proto::DemAdvanced DemService::advance(const proto::Stamp&, const proto::DemAdva
   const Advanced outcome =
       solver().advance(message.time_step, read_loads(message.loads), read_prescribed(message.prescribed),
                        message.resolved_gaps, read_prescribed(message.walls), message.resistance);
-  ledger_.counts["sub_steps"] += static_cast<double>(outcome.sub_steps);
-  ledger_.counts["neighbour_searches"] += static_cast<double>(outcome.searches);
+  timers_.counts["sub_steps"] += static_cast<double>(outcome.sub_steps);
+  timers_.counts["neighbour_searches"] += static_cast<double>(outcome.searches);
   return {.converged = outcome.converged,
           .reason = outcome.reason,
           .motions = outcome.converged ? write_motions(solver().motions()) : std::vector<proto::Motion>{},
@@ -177,8 +177,8 @@ void DemService::restore() { solver().restore(); }
 proto::State DemService::checkpoint() { return {solver().checkpoint()}; }
 
 proto::Figures DemService::report() {
-  proto::Figures figures(ledger_.counts.begin(), ledger_.counts.end());
-  for (const auto& [name, seconds] : ledger_.seconds) figures.emplace_back("seconds:" + name, seconds);
+  proto::Figures figures(timers_.counts.begin(), timers_.counts.end());
+  for (const auto& [name, seconds] : timers_.seconds) figures.emplace_back("seconds:" + name, seconds);
   std::ranges::copy(energies(), std::back_inserter(figures));
   if (solver_ && solver_->model().stretch > 1) figures.emplace_back("stretch", solver_->model().stretch);
   return figures;

@@ -25,7 +25,7 @@ class DemService : public proto::DemParticipant {
   std::optional<Solver> solver_;
   double time_ = 0;          ///< [s] at the end of the last step tried
   double longest_step_ = 0;  ///< [s] that a step of the scene can have
-  Ledger ledger_;
+  Timers timers_;
 };
 
 }  // namespace fpi::dem

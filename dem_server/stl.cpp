@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/error.hpp"
-#include "core/words.hpp"
+#include "core/tokenizer.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -32,8 +32,8 @@ std::size_t announced_size(std::string_view bytes) { return counted_head + per_t
 /// Text begins with "solid", as the head of some binary files does: these have a size that fits, or zeros.
 bool is_binary(std::string_view bytes) {
   if (announced(bytes) > 0 && bytes.size() == announced_size(bytes)) return true;
-  Words words(bytes, "", "");
-  return words.at_end() || !Words::same(words.word(), "solid") ||
+  Tokenizer words(bytes, "", "");
+  return words.at_end() || !Tokenizer::same(words.word(), "solid") ||
          bytes.substr(0, counted_head).find('\0') != bytes.npos;
 }
 
@@ -69,7 +69,7 @@ std::vector<Corners> read_binary(std::string_view bytes, const std::string& name
   return triangles;
 }
 
-Corners read_facet(Words& in) {
+Corners read_facet(Tokenizer& in) {
   in.expect("normal");
   in.skip(3);
   in.expect("outer");
@@ -85,15 +85,15 @@ Corners read_facet(Words& in) {
 }
 
 std::vector<Corners> read_text(std::string_view text, const std::string& name) {
-  Words in(text, name, "write the STL file anew");
+  Tokenizer in(text, name, "write the STL file anew");
   std::vector<Corners> triangles;
   while (!in.at_end()) {
     in.expect("solid");
     in.skip_line();  // its name
     while (true) {
       const std::string_view word = in.word();
-      if (Words::same(word, "endsolid")) break;
-      if (!Words::same(word, "facet")) in.bad("facet or endsolid", printable(word));
+      if (Tokenizer::same(word, "endsolid")) break;
+      if (!Tokenizer::same(word, "facet")) in.bad("facet or endsolid", printable(word));
       triangles.push_back(read_facet(in));
     }
     in.skip_line();

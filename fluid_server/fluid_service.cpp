@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/log.hpp"
-#include "fluid/cut/footprint.hpp"
+#include "fluid/cut/intersected_cells.hpp"
 #include "fluid/discretisation/scene_mesh.hpp"
 #include "grains/expand.hpp"
 #include "measurements.hpp"
@@ -45,7 +45,7 @@ Interface read_interface(const proto::Interface& m, double time_step, double thi
   out.rigid = {to_plane(m.centre), to_plane(m.translation), m.spin[2]};
   if (!m.rigid) out.sampled = to_points(m.velocities);
   if (m.radius > 0) {
-    out.outline = Disc{out.rigid.centre, m.radius};
+    out.surface = Disc{out.rigid.centre, m.radius};
     out.start = m.start;
     out.end = m.end;
   } else {
@@ -70,10 +70,10 @@ proto::Traction write_traction(const BodyTraction& t, double thickness) {
 
 /// Of the first body that has a part outside the mesh, and what would stop it; empty where none has.
 std::string body_outside(const scene::Scene& scene, const NavierStokes& solver, const Request& request) {
-  constexpr int places = 64;  // of each outline
+  constexpr int places = 64;  // of each surface
   for (const Interface& interface : request.interfaces)
     for (int k = 0; k < places; ++k) {
-      const Vec2 x = interface.outline.at(interface.outline.period() * k / places);
+      const Vec2 x = interface.surface.at(interface.surface.period() * k / places);
       if (solver.has(x)) continue;
       return fmt::format(
           "body \"{}\" reaches out of the mesh at ({:.4g}, {:.4g}) m: stop it with one of [[walls]], or let "
@@ -98,10 +98,10 @@ Result solve(const scene::Scene& scene, NavierStokes& solver, const Request& req
 
 proto::Configured FluidService::configure(const proto::Configure& message) {
   progress.set("mesh");
-  Ledger ledger;
+  Timers timers;
   Findings findings;
   {
-    const ScopedTimer timer(ledger, "mesh");
+    const ScopedTimer timer(timers, "mesh");
     scene_ = scene::read_text(message.scene, "the scene sent by the coupler");
     require(scene_.fluid.has_value(),
             "a scene with [fluid] is required; got one without: start no fluid for it");
@@ -110,7 +110,7 @@ proto::Configured FluidService::configure(const proto::Configure& message) {
     make_solver(message.files, findings);
   }
   if (!solver_) return {.findings = findings.all()};
-  solver_->monitor.ledger = std::move(ledger);
+  solver_->monitor.timers = std::move(timers);
   solver_->monitor.phase = [this](const char* phase) { progress.set(phase); };
   const Mesh& mesh = solver_->mesh();
   if (!message.state.empty())
@@ -153,11 +153,11 @@ std::vector<proto::ArcLength> FluidService::arc_lengths(const Mesh& mesh, const 
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const scene::Body& body = scene_.bodies[b];
     if (!body.is_plane()) continue;
-    const double length = wanted_arc_length(mesh, locator, outline(body, scene_.hydraulic_radius_ratio),
+    const double length = wanted_arc_length(mesh, locator, surface(body, scene_.hydraulic_radius_ratio),
                                             scene_.fluid->embedding.arc_ratio);
     if (!(length > 0))
       findings.error(fmt::format("bodies.{}.position", b),
-                     "the body \"{}\" must lie in the mesh; its outline around ({:g}, {:g}) m meets no "
+                     "the body \"{}\" must lie in the mesh; its surface around ({:g}, {:g}) m meets no "
                      "element: move it inside, or make the mesh larger",
                      body.name, body.position[0], body.position[1]);
     else
@@ -237,9 +237,9 @@ proto::Figures FluidService::report() {
   }
   if (const auto balance = solver_->volume_balance())
     std::ranges::move(volume_figures(scene_.thickness, *balance), std::back_inserter(figures));
-  for (const auto& [name, seconds] : solver_->monitor.ledger.seconds)
+  for (const auto& [name, seconds] : solver_->monitor.timers.seconds)
     figures.emplace_back("seconds:" + name, seconds);
-  for (const auto& [name, count] : solver_->monitor.ledger.counts) figures.emplace_back(name, count);
+  for (const auto& [name, count] : solver_->monitor.timers.counts) figures.emplace_back(name, count);
   std::ranges::move(resolution_.figures(), std::back_inserter(figures));
   figures.emplace_back("unknowns", solver_->n_unknowns());
   return figures;

@@ -55,10 +55,10 @@ std::vector<Vec2> to_points(const std::vector<double>& coordinates) {
   return points;
 }
 
-Outline outline(const scene::Body& body, double hydraulic_radius_ratio) {
+Surface surface(const scene::Body& body, double hydraulic_radius_ratio) {
   const Vec2 position(body.position[0], body.position[1]);
   if (body.shape == "disc") return Disc{position, body.radius * hydraulic_radius_ratio};
-  Polygon polygon{to_points(body.outline())};
+  Polygon polygon{to_points(body.surface())};
   for (Vec2& corner : polygon.corners) corner += position;
   return polygon;
 }
@@ -75,7 +75,7 @@ void check_places(const scene::Scene& scene, const Mesh& mesh, const Locator& lo
     if (std::string_view(list) != "probe") return;  // a profile may pass through bodies
     for (const scene::Body& body : scene.bodies) {
       if (!body.is_plane()) continue;
-      const Outline surface = outline(body, scene.hydraulic_radius_ratio);
+      const Surface surface = fluid::surface(body, scene.hydraulic_radius_ratio);
       for (const Vec2& shift : mesh.period.shifts(surface.lower(), surface.upper())) {
         // A point of the surface itself has a value.
         if (!(surface.distance(x - shift) < -1e-6 * (surface.upper() - surface.lower()).norm())) continue;

@@ -9,7 +9,7 @@
 namespace fpi::fluid {
 
 /// Where the scene puts a body, as the fluid sees it.
-Outline outline(const scene::Body& body, double hydraulic_radius_ratio);
+Surface surface(const scene::Body& body, double hydraulic_radius_ratio);
 std::vector<Vec2> to_points(const std::vector<double>& coordinates);
 
 /// Errors: each probe and profile outside the mesh. Warnings: each probe in a body.

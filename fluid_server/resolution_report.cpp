@@ -27,7 +27,7 @@ double physical_memory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-double diameter(const Outline& outline) { return std::sqrt(4 * outline.area() / M_PI); }
+double diameter(const Surface& surface) { return std::sqrt(4 * surface.area() / M_PI); }
 
 /// Largest speed of a body's surface that its formulas give over the run [m/s]; of a free one that at the
 /// start.
@@ -72,7 +72,7 @@ void ResolutionReport::begin(const scene::Scene& scene, const NavierStokes& solv
     double widest = 0;
     for (const scene::Body& body : scene.bodies) {
       if (!body.is_plane()) continue;
-      const Outline surface = outline(body, scene.hydraulic_radius_ratio);
+      const Surface surface = fluid::surface(body, scene.hydraulic_radius_ratio);
       const double D = diameter(surface);
       if (D > widest) {
         widest = length_ = D;

@@ -1,4 +1,4 @@
-"""The words of `./fpi` and what each does. What only some words need is imported there: a small run feels it."""
+"""The commands of `./fpi` and what each does. What only some commands need is imported there: a small run feels it."""
 
 import argparse
 import os
@@ -33,10 +33,10 @@ def carry_out(words: list[str]) -> int:
 def parser() -> argparse.ArgumentParser:
     top = Parser(prog="fpi", description="Resolved fluid-particle interaction: runs, pictures, tests.")
     top.add_argument("--version", action="version", version=f"fpi {VERSION.read_text().strip()}")
-    words = top.add_subparsers(title="words", metavar="WORD", required=True)
+    commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
 
-    def word(name, do, text, scene=False):
-        sub = words.add_parser(name, help=text, description=text)
+    def command(name, do, text, scene=False):
+        sub = commands.add_parser(name, help=text, description=text)
         sub.set_defaults(do=do)
         if scene:
             sub.add_argument("scene", metavar="SCENE", help="a scene file, or the name of one in configs/")
@@ -54,40 +54,43 @@ def parser() -> argparse.ArgumentParser:
         sub.add_argument("--keys", type=Path, metavar="DIR", help="folder of keys, needed beyond this machine")
         sub.add_argument("--trust", action="store_true", help="start the programs that the scene names (command = ...), now and later")
 
-    running = word("run", do_run, "run a scene to its end", scene=True)
+    running = command("run", do_run, "run a scene to its end", scene=True)
     running.add_argument("--out", type=Path, metavar="DIR", help="run folder, new or empty (default runs/SCENE)")
     script_options(running)
-    sweeping = word("sweep", do_sweep, "run a scene at every combination of some values, go on where it was left, and tabulate", scene=True)
+    sweeping = command("sweep", do_sweep, "run a scene at every combination of some values, go on where it was left, and tabulate", scene=True)
     sweeping.add_argument("axes", nargs="+", metavar="KEY=A,B,C", help="a key of the scene and its values, e.g. fluid.pressure_drop=[1,0],[2,0]")
     sweeping.add_argument("--out", type=Path, metavar="DIR", help="folder of the sweep, new or that of the same sweep (default runs/SCENE-sweep)")
     script_options(sweeping)
-    checking = word("check", do_check, "say all that a run of a scene would refuse, without running it", scene=True)
+    checking = command("check", do_check, "say all that a run of a scene would refuse, without running it", scene=True)
     checking.add_argument("--json", action="store_true", help="print findings and figures as JSON, and nothing else")
-    resuming = word("resume", do_resume, "continue a run from its last checkpoint")
+    resuming = command("resume", do_resume, "continue a run from its last checkpoint")
     resuming.add_argument("run", type=Path, metavar="RUN", help="the run folder")
     set_option(resuming, "a later end, time.end=…, extends a run, finished or not; the values that decided its results stay")
     script_options(resuming)
-    plotting = word("plot", do_plot, "draw the results of a run")
+    plotting = command("plot", do_plot, "draw the results of a run")
     plotting.add_argument("run", type=Path, metavar="RUN", help="the run folder")
     plotting.add_argument("--movie", action="store_true", help="and a movie of its bodies (MP4 with ffmpeg, else GIF)")
-    meshing = word("mesh", do_mesh, "make a body-fitted mesh with Gmsh")
+    meshing = command("mesh", do_mesh, "make a body-fitted mesh with Gmsh")
     meshing.add_argument("geometry", metavar="NAME", help="a .geo file, or the name of one in configs/")
     meshing.add_argument("--size", type=factor, default=1.0, metavar="F", help="scales all element sizes (default 1)")
     meshing.add_argument("--out", type=Path, metavar="FILE", help="the mesh file (default: .msh beside the geometry)")
-    word("list", do_list, "name the scenes that come with fpi")
-    building = word("build", do_build, "install what is missing and build the programs")
+    command("list", do_list, "name the scenes that come with fpi")
+    building = command("build", do_build, "install what is missing and build the programs")
     building.add_argument("--all", action="store_true", help="the tests, too")
     building.add_argument("--preset", choices=build.PRESETS, default="release")
     building.add_argument("--jobs", type=positive, metavar="N", help="compilers at a time (default: all cores)")
-    testing = word("test", do_test, "build and run the tests")
+    testing = command("test", do_test, "build and run the tests")
     testing.add_argument("--all", action="store_true", help="the slow ones too")
     testing.add_argument("--preset", choices=build.PRESETS, default="release")
     testing.add_argument("--jobs", type=positive, metavar="N", help="compilers and tests at a time")
-    word("demo", do_demo, "install, build, let a disc settle, draw it")
-    bench = word("bench", do_bench, "run time against error on benchmark flows, steps a second of grains, beside other programs; what the coupling takes; noise of forces; growth with the number of grains")
+    linting = command("lint", do_lint, "check format, Python, documents and structure, without a build")
+    linting.add_argument("--tidy", choices=("changed", "all"), help="clang-tidy too, on what changed since --base or all sources (slow)")
+    linting.add_argument("--base", metavar="COMMIT", default="HEAD", help="of what changed (default HEAD)")
+    command("demo", do_demo, "install, build, let a disc settle, draw it")
+    bench = command("bench", do_bench, "run time against error on benchmark flows, steps a second of grains, beside other programs; what the coupling takes; noise of forces; growth with the number of grains")
     bench.add_argument("subject", nargs="?", choices=("fluid", "grains", "coupling", "noise", "growth"), default="fluid", help="what is measured")
     bench.add_argument("rest", nargs=argparse.REMAINDER, metavar="...", help="its options; -h names them")
-    stressing = word("stress", do_stress, "random cases of embedded or coupled bodies: which survive, how exact and quiet they are or how soon they converge")
+    stressing = command("stress", do_stress, "random cases of embedded or coupled bodies: which survive, how exact and quiet they are or how soon they converge")
     stressing.add_argument("subject", nargs="?", choices=("interface", "coupling"), default="interface", help="what is tried")
     stressing.add_argument("--seed", type=positive, default=1, metavar="N", help="of the random numbers (default 1)")
     stressing.add_argument("--cases", type=positive, metavar="N", help="how many, about (default some 250; few with --quick)")
@@ -96,8 +99,8 @@ def parser() -> argparse.ArgumentParser:
     stressing.add_argument("--jobs", type=positive, metavar="N", help="cases at a time (default: all cores)")
     stressing.add_argument("--out", type=Path, metavar="FILE", default=ROOT / "runs" / "stress.json", help="all results as JSON")
     stressing.add_argument("--json", action="store_true", help="print them, and nothing else")
-    word("paper", do_paper, "run the flows of the paper and write docs/paper.md with their pictures")
-    keys = word("keys", do_keys, "make the keys for runs across machines")
+    command("paper", do_paper, "run the flows of the paper and write docs/paper.md with their pictures")
+    keys = command("keys", do_keys, "make the keys for runs across machines")
     keys.add_argument("folder", type=Path, metavar="DIR", help="folder for the keys")
     return top
 
@@ -308,6 +311,15 @@ def do_test(arguments) -> int:
     return build.test(arguments.preset, arguments.all, arguments.jobs)
 
 
+def do_lint(arguments) -> int:
+    from launcher.setup import lint, packages
+
+    packages.install(packages.LINT)
+    faults = lint.lint(arguments.tidy, arguments.base)
+    print(*faults, sep="\n", end="\n" if faults else "")
+    return int(bool(faults))
+
+
 def do_demo(_arguments) -> int:
     ensure_packages()
     build.build()
@@ -363,7 +375,7 @@ def do_keys(arguments) -> int:
 
 
 def ensure_programs(quiet: bool, *more: str) -> None:
-    """Sets up and builds where the programs of a run, or `more`, are not there yet; the words `build` and `test` bring
+    """Sets up and builds where the programs of a run, or `more`, are not there yet; the commands `build` and `test` bring
     them up to date."""
     needed = (*build.PROGRAMS, *more)
     if os.environ.get("FPI_BIN") or all((programs() / name).exists() for name in needed):

@@ -97,13 +97,13 @@ struct Balance {
 };
 
 /// The interface mesh of one body, with its velocities. Arc a runs counter-clockwise from angle start[a] to
-/// end[a] [rad] on the circle; an edge runs from vertex a to vertex a + 1 (closed outline, body on the left).
+/// end[a] [rad] on the circle; an edge runs from vertex a to vertex a + 1 (closed surface, body on the left).
 struct Interface {
   std::uint32_t body = 0;
   Vec3 centre{};                       ///< [m]; point that the torque is taken about
   double radius = 0;                   ///< [m] of the arcs; 0: edges
   std::vector<double> start{}, end{};  ///< [rad]
-  std::vector<double> vertices{};      ///< [m] x, y of each, of an outline of edges
+  std::vector<double> vertices{};      ///< [m] x, y of each, of a surface of edges
   bool rigid = true;                   ///< velocity law u = translation + spin × (x − centre)
   Vec3 translation{}, spin{};          ///< [m/s], [rad/s]
   std::uint32_t points = 0;            ///< Gauss–Legendre points an arc or edge

@@ -132,15 +132,15 @@ Vec2 mirrored(const Vec2& x) { return {-x.x(), x.y()}; }
 Interface mirrored(const Interface& body) {
   Interface out;
   out.body = body.body;
-  if (const Disc* disc = body.outline.disc()) {
-    out.outline = Disc{mirrored(disc->centre), disc->radius};
+  if (const Disc* disc = body.surface.disc()) {
+    out.surface = Disc{mirrored(disc->centre), disc->radius};
     for (Index a = body.n_arcs(); a-- > 0;) {
       out.start.push_back(pi - body.end[a]);
       out.end.push_back(pi - body.start[a]);
     }
   } else {
     std::vector<Vec2> vertices;
-    for (Index a = body.n_arcs(); a-- > 0;) vertices.push_back(mirrored(body.outline.at(body.start[a])));
+    for (Index a = body.n_arcs(); a-- > 0;) vertices.push_back(mirrored(body.surface.at(body.start[a])));
     set_edges(out, vertices);
   }
   out.rigid = {mirrored(body.rigid.centre), mirrored(body.rigid.translation), -body.rigid.spin};

@@ -67,7 +67,7 @@ inline Mesh square(int n, double lower = 0, double upper = 1) {
 inline Interface circle(Index body, const Vec2& centre, double radius, double length, double turn = 0) {
   Interface out;
   out.body = body;
-  out.outline = Disc{centre, radius};
+  out.surface = Disc{centre, radius};
   out.rigid.centre = centre;
   const double two_pi = 2 * std::numbers::pi;
   const int n = std::max(4, static_cast<int>(std::lround(two_pi * radius / length)));

@@ -90,9 +90,9 @@ Outcome slide(Random& random, const Effort& effort) {
              time_step, effort.steps, false);
 }
 
-/// The least distance of a polygon's corners, or of points of a circle, from an outline; below 0 they
+/// The least distance of a polygon's corners, or of points of a circle, from a surface; below 0 they
 /// overlap.
-double gap(const Outline& a, const Outline& b) {
+double gap(const Surface& a, const Surface& b) {
   constexpr int points = 400;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < points; ++i) {
@@ -102,9 +102,9 @@ double gap(const Outline& a, const Outline& b) {
   return least;
 }
 
-Outline outline_of(const MovingBody& body) {
+Surface outline_of(const MovingBody& body) {
   if (body.shape.corners.empty()) return Disc{body.start, body.shape.diameter / 2};
-  return polygon(body.start, body.shape.corners, body.shape.diameter, body.angle).outline;
+  return polygon(body.start, body.shape.corners, body.shape.diameter, body.angle).surface;
 }
 
 /// Moves `body` along x until its gap to the other is the one wanted.

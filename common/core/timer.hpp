@@ -1,4 +1,4 @@
-/// Where the time goes: named accumulators, filled by scoped timers. A ledger belongs to one thread.
+/// Where the time goes: named accumulators, filled by scoped timers. It belongs to one thread.
 #pragma once
 
 #include <chrono>
@@ -8,15 +8,15 @@
 namespace fpi {
 
 /// Seconds and counts by name, e.g. {"factor": 1.25} s and {"factorisations": 40}.
-struct Ledger {
+struct Timers {
   std::map<std::string, double> seconds;
   std::map<std::string, double> counts;
 };
 
-/// Adds the time from its construction to its destruction to `ledger.seconds[name]` [s].
+/// Adds the time from its construction to its destruction to `timers.seconds[name]` [s].
 class ScopedTimer {
  public:
-  ScopedTimer(Ledger& ledger, const char* name) : total_(ledger.seconds[name]) {}
+  ScopedTimer(Timers& timers, const char* name) : total_(timers.seconds[name]) {}
   ~ScopedTimer() {
     total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }

@@ -103,7 +103,7 @@ struct Body {
     return shape == "disc" ? std::numbers::pi * r * r * thickness : 4.0 / 3.0 * std::numbers::pi * r * r * r;
   }
   /// The vertices counter-clockwise.
-  std::vector<double> outline() const { return counter_clockwise(vertices); }
+  std::vector<double> surface() const { return counter_clockwise(vertices); }
 };
 
 /// First three components of a list of up to three, the rest zero.

@@ -218,7 +218,7 @@ struct Scene {
 
   std::size_t n_listed() const;  ///< bodies that the scene lists one by one
   bool moves_freely() const;     ///< a body is free
-  bool moves() const;            ///< the outline of a body does: a disc that only spins stays in place
+  bool moves() const;            ///< the surface of a body does: a disc that only spins stays in place
   bool needs_fluid() const { return fluid.has_value(); }
   bool needs_dem() const { return moves_freely(); }
 };

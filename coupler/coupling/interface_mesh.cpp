@@ -62,10 +62,10 @@ Arcs cut_polygon(const Eigen::Vector3d& centre, const Eigen::Quaterniond& orient
   return arcs;
 }
 
-Arcs cut_outline(const scene::Body& body, const RigidMotion& motion, double hydraulic_radius_ratio,
+Arcs cut_surface(const scene::Body& body, const RigidMotion& motion, double hydraulic_radius_ratio,
                  double wanted_length) {
   if (body.shape == "polygon")
-    return cut_polygon(motion.position, motion.orientation, body.outline(), wanted_length);
+    return cut_polygon(motion.position, motion.orientation, body.surface(), wanted_length);
   return cut_circle(motion.position, hydraulic_radius_ratio * body.radius, wanted_length);
 }
 

@@ -32,7 +32,7 @@ Arcs cut_polygon(const Eigen::Vector3d& centre, const Eigen::Quaterniond& orient
                  const std::vector<double>& corners, double wanted_length);
 
 /// What the fluid sees of a body at its place: a circle of the hydraulic radius, or the polygon.
-Arcs cut_outline(const scene::Body& body, const RigidMotion& motion, double hydraulic_radius_ratio,
+Arcs cut_surface(const scene::Body& body, const RigidMotion& motion, double hydraulic_radius_ratio,
                  double wanted_length);
 
 /// Gauss–Legendre points an arc at which velocities are given: exact for velocities of degree 5 in the angle.

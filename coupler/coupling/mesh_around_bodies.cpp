@@ -35,21 +35,21 @@ std::vector<Eigen::Vector2d> images(const scene::Scene& scene, const Eigen::Vect
   return out;
 }
 
-/// Where a body is at a time; `extent` is how far its outline is from the centre.
+/// Where a body is at a time; `extent` is how far its surface is from the centre.
 struct Place {
   RigidMotion motion;
   double angle, extent;
 
   Place(const RigidMotion& m, double reach)
       : motion(m), angle(2 * std::atan2(m.orientation.z(), m.orientation.w())), extent(reach) {}
-  /// No point of the outline is farther away than this in the other place [m].
+  /// No point of the surface is farther away than this in the other place [m].
   double distance(const Place& other) const {
     const double turn = std::remainder(angle - other.angle, 2 * std::numbers::pi);
     return (motion.position - other.motion.position).norm() + extent * std::abs(turn);
   }
 };
 
-/// Largest distance of a polygon's outline from its position; 0 of a disc, which stays as it is when it
+/// Largest distance of a polygon's surface from its position; 0 of a disc, which stays as it is when it
 /// turns.
 double extent_that_turns(const scene::Body& body) {
   double largest = 0;
@@ -79,22 +79,22 @@ std::vector<Place> path(const scene::Body& body, const scene::Scene& scene, doub
   return places;
 }
 
-Arcs outline(const scene::Scene& scene, const scene::Body& body, const RigidMotion& motion) {
+Arcs surface(const scene::Scene& scene, const scene::Body& body, const RigidMotion& motion) {
   constexpr double undivided = std::numeric_limits<double>::infinity();
-  return cut_outline(body, motion, scene.hydraulic_radius_ratio, undivided);
+  return cut_surface(body, motion, scene.hydraulic_radius_ratio, undivided);
 }
 
-scene::Refinement around(const Arcs& outline, const Eigen::Vector2d& shift, double size) {
+scene::Refinement around(const Arcs& surface, const Eigen::Vector2d& shift, double size) {
   scene::Refinement refinement;
   refinement.size = size;
-  if (outline.radius > 0) {
-    refinement.centre = {outline.centre.x() + shift.x(), outline.centre.y() + shift.y()};
-    refinement.radius = outline.radius;
+  if (surface.radius > 0) {
+    refinement.centre = {surface.centre.x() + shift.x(), surface.centre.y() + shift.y()};
+    refinement.radius = surface.radius;
     return refinement;
   }
-  const std::size_t n = outline.vertices.size();
+  const std::size_t n = surface.vertices.size();
   for (std::size_t i = 0; i < n + 2; ++i)
-    refinement.line.push_back(outline.vertices[i % n] + shift[static_cast<Eigen::Index>(i % 2)]);
+    refinement.line.push_back(surface.vertices[i % n] + shift[static_cast<Eigen::Index>(i % 2)]);
   return refinement;
 }
 
@@ -145,7 +145,7 @@ void refine_along_path(const scene::Scene& scene, const scene::Body& body, doubl
     const Eigen::Vector2d centre = place.motion.position.head<2>(),
                           reach = Eigen::Vector2d::Constant(body.radius + place.extent);
     for (const Eigen::Vector2d& shift : images(scene, centre - reach, centre + reach))
-      out.refinements.push_back(around(outline(scene, body, place.motion), shift, size));
+      out.refinements.push_back(around(surface(scene, body, place.motion), shift, size));
   }
   out.notes.push_back(fmt::format("triangles of {:.3g} m around body \"{}\"{}", size, body.name,
                                   places.size() == 1 ? "" : " wherever it comes"));

@@ -25,7 +25,7 @@ bool check_hello(const proto::Hello& hello, const scene::Scene& scene, bool resu
 }  // namespace
 
 Admission::Admission(proto::Host& host, const std::vector<PlannedParticipant>& roles,
-                     const scene::Scene& scene, bool resumes, std::uint64_t run, Ledger& ledger) {
+                     const scene::Scene& scene, bool resumes, std::uint64_t run, Timers& timers) {
   std::vector<std::string> names;
   std::vector<bool> external;
   for (const PlannedParticipant& participant : roles) {
@@ -39,8 +39,8 @@ Admission::Admission(proto::Host& host, const std::vector<PlannedParticipant>& r
     offered.insert(hello.capabilities.begin(), hello.capabilities.end());
   }
   const auto is_there = [&](const char* role) { return std::ranges::find(names, role) != names.end(); };
-  if (is_there("fluid")) fluid_.emplace(host, "fluid", run, ledger);
-  if (is_there("dem")) dem_.emplace(host, "dem", run, ledger);
+  if (is_there("fluid")) fluid_.emplace(host, "fluid", run, timers);
+  if (is_there("dem")) dem_.emplace(host, "dem", run, timers);
   participants_ = {.fluid = fluid_ ? &*fluid_ : nullptr,
                    .dem = dem_ ? &*dem_ : nullptr,
                    .fluid_moves_bodies = offered.contains("balance"),

@@ -18,7 +18,7 @@ class Admission {
   /// Waits for all `roles`. Throws Error where one cannot what the scene asks for; `resumes`: a run goes on
   /// from a checkpoint.
   Admission(proto::Host& host, const std::vector<PlannedParticipant>& roles, const scene::Scene& scene,
-            bool resumes, std::uint64_t run, Ledger& ledger);
+            bool resumes, std::uint64_t run, Timers& timers);
   Admission(const Admission&) = delete;
   Admission& operator=(const Admission&) = delete;
 

@@ -131,7 +131,7 @@ class Check {
   }
 
   void rehearse(proto::Host& host, const std::vector<PlannedParticipant>& ours) {
-    Admission admission(host, ours, scene_, false, number_, ledger_);
+    Admission admission(host, ours, scene_, false, number_, timers_);
     Participants participants = admission.participants();
     if (!participants.fluid) participants.fluid_moves_bodies = true;  // for all we know
     CoupledProblem problem(scene_, participants, number_);
@@ -152,7 +152,7 @@ class Check {
   std::vector<std::size_t> groups_;  ///< their numbers in the file
   Files files_;
   Plan plan_to_start_;
-  Ledger ledger_;
+  Timers timers_;
   Findings found_;
   CheckReport report_;
 };

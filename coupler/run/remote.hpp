@@ -12,12 +12,12 @@
 
 namespace fpi {
 
-/// What all roles share. `ledger.seconds["waiting:ROLE"]` takes the time spent on answers.
+/// What all roles share. `timers.seconds["waiting:ROLE"]` takes the time spent on answers.
 template <class Role>
 class Remote : public Role {
  public:
-  Remote(proto::Host& host, std::string role, std::uint64_t run, Ledger& ledger)
-      : host_(host), role_(std::move(role)), stamp_{.run = run}, ledger_(ledger) {}
+  Remote(proto::Host& host, std::string role, std::uint64_t run, Timers& timers)
+      : host_(host), role_(std::move(role)), stamp_{.run = run}, timers_(timers) {}
 
   proto::Configured configure(const proto::Configure& message) override {
     return ask<proto::Configured>(message);
@@ -37,14 +37,14 @@ class Remote : public Role {
  private:
   template <class Answer>
   Answer ask(proto::Message message) {
-    const ScopedTimer timer(ledger_, ("waiting:" + role_).c_str());
+    const ScopedTimer timer(timers_, ("waiting:" + role_).c_str());
     return host_.ask<Answer>(role_, stamp_, std::move(message));
   }
 
   proto::Host& host_;
   std::string role_;
   proto::Stamp stamp_;  ///< of the last advance
-  Ledger& ledger_;
+  Timers& timers_;
 };
 
 class RemoteFluid : public Remote<proto::FluidParticipant> {

@@ -187,8 +187,8 @@ class RunProcess {
     say("address " + host_->address());
     for (const PlannedParticipant& participant : plan_.participants) summary_.figures[participant.role];
     admission_ = std::make_unique<Admission>(*host_, plan_.participants, scene_, checkpoint_.has_value(),
-                                             number_, ledger_);
-    run_ = std::make_unique<TimeLoop>(scene_, admission_->participants(), options_.folder, number_, ledger_);
+                                             number_, timers_);
+    run_ = std::make_unique<TimeLoop>(scene_, admission_->participants(), options_.folder, number_, timers_);
     run_->on_progress = ProgressPrinter();
     run_->on_findings = [this](Findings findings) { take(std::move(findings)); };
   }
@@ -314,10 +314,10 @@ class RunProcess {
 
   void write_summary() {
     summary_.wall_total = seconds_since(start_);
-    summary_.wall_output = ledger_.seconds["output"];
+    summary_.wall_output = timers_.seconds["output"];
     summary_.wall_coupling = summary_.wall_total - summary_.wall_output;
     constexpr std::string_view waiting = "waiting:";
-    for (const auto& [name, seconds] : ledger_.seconds) {
+    for (const auto& [name, seconds] : timers_.seconds) {
       if (!name.starts_with(waiting)) continue;
       summary_.waited_for[name.substr(waiting.size())] = seconds;
       summary_.wall_coupling -= seconds;
@@ -328,7 +328,7 @@ class RunProcess {
 
   const RunOptions& options_;
   const Clock::time_point start_ = Clock::now();
-  Ledger ledger_;
+  Timers timers_;
   scene::Reading reading_;
   scene::Scene scene_;
   Plan plan_;

@@ -12,11 +12,11 @@
 namespace fpi {
 
 TimeLoop::TimeLoop(const scene::Scene& scene, Participants participants, std::string folder,
-                   std::uint64_t run, Ledger& ledger)
+                   std::uint64_t run, Timers& timers)
     : scene_(scene),
       participants_(participants),
       folder_(std::move(folder)),
-      ledger_(ledger),
+      timers_(timers),
       problem_(scene, participants, run),
       window_(scene.time, scene.output.interval) {
   problem_.after_exchange = [this](std::uint32_t exchanges) {
@@ -203,7 +203,7 @@ void TimeLoop::record(double time, const Attempt& attempt, bool fields_due) {
              problem_.steps(), time, attempt.sub_iterations, attempt.velocity.relative,
              attempt.force.relative);
   {
-    const ScopedTimer timer(ledger_, "output");
+    const ScopedTimer timer(timers_, "output");
     recorder_->record_step(time, attempt, problem_, reported_);
     if (fields_due || scene_.grains.empty()) recorder_->record_bodies(time, problem_.state());
   }
@@ -218,7 +218,7 @@ void TimeLoop::write_fields(double time) {
   proto::Fields fields;
   if (participants_.fluid && fluid_has_fields_)
     fields = participants_.fluid->write({.mesh = recorder_->wants_mesh()});
-  const ScopedTimer timer(ledger_, "output");
+  const ScopedTimer timer(timers_, "output");
   recorder_->record_interface(time, problem_.state());
   if (!fields.fields.empty()) {
     recorder_->record_fields(time, fields);
@@ -242,7 +242,7 @@ Checkpoint TimeLoop::state_now() {
 
 /// A checkpoint names rows and steps of result files, so that these must be on the disk before it.
 void TimeLoop::save_checkpoint() {
-  const ScopedTimer timer(ledger_, "output");
+  const ScopedTimer timer(timers_, "output");
   const auto start = std::chrono::steady_clock::now();
   recorder_->flush();
   output::sync_folder(folder_);

@@ -26,9 +26,9 @@ struct RunProgress {
 
 class TimeLoop {
  public:
-  /// `folder` must exist; `ledger.seconds["output"]` takes the time spent on writing.
+  /// `folder` must exist; `timers.seconds["output"]` takes the time spent on writing.
   TimeLoop(const scene::Scene& scene, Participants participants, std::string folder, std::uint64_t run,
-           Ledger& ledger);
+           Timers& timers);
 
   TimeLoop(const TimeLoop&) = delete;
   TimeLoop& operator=(const TimeLoop&) = delete;
@@ -75,7 +75,7 @@ class TimeLoop {
   const scene::Scene& scene_;
   Participants participants_;
   std::string folder_;
-  Ledger& ledger_;
+  Timers& timers_;
   CoupledProblem problem_;
   coupling::TimeWindow window_;
   Statistics statistics_;

@@ -273,7 +273,7 @@ void CoupledProblem::place_bodies(double start, const Eigen::VectorXd& predicted
     }
     trial_.state.cut_at[i] = placed.position;
     if (!solvers_.has_fluid()) continue;
-    trial_.state.arcs.push_back(accepted_.is_there(i) ? outline(i, placed) : coupling::Arcs{});
+    trial_.state.arcs.push_back(accepted_.is_there(i) ? surface(i, placed) : coupling::Arcs{});
   }
 }
 
@@ -283,8 +283,8 @@ bool CoupledProblem::stays_cut(std::size_t body) const {
                                      scene_.coupling.hold_below * element_size(body);
 }
 
-coupling::Arcs CoupledProblem::outline(std::size_t body, const coupling::RigidMotion& placed) const {
-  return coupling::cut_outline(scene_.bodies[body], placed, scene_.hydraulic_radius_ratio,
+coupling::Arcs CoupledProblem::surface(std::size_t body, const coupling::RigidMotion& placed) const {
+  return coupling::cut_surface(scene_.bodies[body], placed, scene_.hydraulic_radius_ratio,
                                solvers_.arc_lengths()[body]);
 }
 
@@ -347,7 +347,7 @@ std::optional<Attempt> CoupledProblem::start_suddenly(double time_step) {
   settle();
   // Forces, accelerations and what the coupling learnt are those of the impulse.
   predictor_ = coupling::Predictor(scene_.coupling.predictor);
-  forecast_ = coupling::BalanceForecast(dofs_.inertia(), displaced_mass(scene_, dofs_));
+  forecast_ = coupling::PredictedForce(dofs_.inertia(), displaced_mass(scene_, dofs_));
   std::vector<Eigen::Index> all(static_cast<std::size_t>(dofs_.size()));
   std::iota(all.begin(), all.end(), 0);
   iteration_.forget(all);

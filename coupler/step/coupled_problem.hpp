@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/balance_forecast.hpp"
+#include "coupling/predicted_force.hpp"
 #include "coupling/predictor.hpp"
 #include "coupling/prescribed_motion.hpp"
 #include "coupling/response.hpp"
@@ -74,7 +74,7 @@ class CoupledProblem {
   Eigen::VectorXd place_first(double start, Eigen::VectorXd& force_of_dem);
   void place_bodies(double start, const Eigen::VectorXd& predicted);
   bool stays_cut(std::size_t body) const;
-  coupling::Arcs outline(std::size_t body, const coupling::RigidMotion& placed) const;
+  coupling::Arcs surface(std::size_t body, const coupling::RigidMotion& placed) const;
   void foresee_contacts(double start, Eigen::VectorXd& velocities, Eigen::VectorXd& force_of_dem);
   bool bodies_act(const Eigen::VectorXd& force_of_dem) const;
   Eigen::VectorXd of_bodies_there(Eigen::VectorXd unknowns, const CoupledState& state) const;
@@ -99,7 +99,7 @@ class CoupledProblem {
   bool fluid_moves_bodies_;  ///< x is what the DEM adds, else the velocities that the fluid gets
   SolverRequests solvers_;
   coupling::Predictor predictor_;
-  coupling::BalanceForecast forecast_;
+  coupling::PredictedForce forecast_;
   coupling::StaggeredIteration iteration_;
   std::vector<std::optional<coupling::PrescribedMotion>> prescribed_;  ///< of bodies that are not free
   std::vector<coupling::PrescribedMotion> moving_walls_;

@@ -30,8 +30,8 @@ std::optional<std::pair<Vec2, double>> NavierStokes::at(const Vec2& x) const {
   if (!place || (accepted_system_ && !accepted_system_->cut().is_active(place->cell))) return std::nullopt;
   if (accepted_system_)
     for (const Image& image :
-         accepted_system_->cut().images)  // a point on the outline itself is in the fluid
-      if (image.outline().distance(wrapped) < -1e-6 * std::sqrt(image.outline().area())) return std::nullopt;
+         accepted_system_->cut().images)  // a point on the surface itself is in the fluid
+      if (image.surface().distance(wrapped) < -1e-6 * std::sqrt(image.surface().area())) return std::nullopt;
   const Sample here(space_.mesh, *place);
   return std::pair{here.velocity(accepted_.u), here.pressure(accepted_.p)};
 }
@@ -101,7 +101,7 @@ Eigen::Matrix2d NavierStokes::permeability() {
   creeping.convection = 0;
   const auto [u, p, lambda, rigid, drive] = system.no_residual();
   system.assemble(creeping, {u, p, lambda, rigid, drive}, TimeTerms::steady(space_.mesh.n_nodes()), true);
-  return fluid::permeability(system, *system.factor_of_matrix(monitor.ledger), flow_.viscosity);
+  return fluid::permeability(system, *system.factor_of_matrix(monitor.timers), flow_.viscosity);
 }
 
 std::optional<ForceBalance> NavierStokes::force_balance() {

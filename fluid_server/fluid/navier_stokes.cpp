@@ -70,8 +70,8 @@ Result NavierStokes::advance(const Request& request) {
   if (result.newton.converged) {
     result.tractions = tractions();
     result.speed = system_->speed(current_.fields.u);
-    if (request.wants_resistance && current_.corrector.background)
-      result.resistance = gamma(request) * system_->resistance(*current_.corrector.background);
+    if (request.wants_resistance && current_.corrector.reference)
+      result.resistance = gamma(request) * system_->resistance(*current_.corrector.reference);
     if (request.time_step > 0)
       result.time_error =
           time_error(scheme_, start_, current_.fields.u, request.time_step, system_->wet_nodes());
@@ -89,7 +89,7 @@ NewtonResult NavierStokes::start_step(const Request& request) {
   } else {
     monitor.phase("interface");
     system_ = std::make_shared<System>(space_, settings_.fluid, std::move(interfaces),
-                                       system_ ? system_->cut() : CutMesh{}, monitor.ledger);
+                                       system_ ? system_->cut() : CutMesh{}, monitor.timers);
     require(!system_->active_cells().empty(),
             "some of the mesh must be left to the fluid; the bodies cover all of its {} elements",
             space_.mesh.n_cells());
@@ -111,9 +111,8 @@ NewtonResult NavierStokes::start_step(const Request& request) {
       predicted_velocity(start_, request.time_step, follow ? best_order(start_) : 0), start_.p);
   if (start_.damped_steps > 0) return result;  // with the factor of the first half
   base_.corrector = kept_.lend(time_terms_.inertia, system_ == accepted_system_);
-  if (time_terms_.moves()) base_.corrector.factor = nullptr;  // the drift is another one each step
-  if (base_.corrector.background && !system_->has_resistance(*base_.corrector.background))
-    base_.corrector = {};
+  if (time_terms_.moves()) base_.corrector.factor = nullptr;  // the mesh velocity is another one each step
+  if (base_.corrector.reference && !system_->has_resistance(*base_.corrector.reference)) base_.corrector = {};
   return result;
 }
 
@@ -136,10 +135,10 @@ void NavierStokes::set_time_terms(const Request& request) {
     time_terms_ = time_terms(scheme_, start_);
   } else {
     monitor.phase("interface");
-    const ScopedTimer timer(monitor.ledger, "interface");
+    const ScopedTimer timer(monitor.timers, "interface");
     scheme_ = scheme_of_moving_bodies(step);
     displacement_ = displacement(space_, request.interfaces, accepted_.places, step);
-    if (displacement_.isZero(0) && accepted_.drift.isZero(0)) {
+    if (displacement_.isZero(0) && accepted_.mesh_velocity.isZero(0)) {
       time_terms_ = time_terms(scheme_, start_);
     } else {
       start_ = along_paths(space_, displacement_, start_);
@@ -206,13 +205,13 @@ std::vector<Interface> NavierStokes::with_fluid_loads(const Request& request) co
   for (Interface& interface : interfaces) {
     if (!interface.balance) continue;
     Balance& balance = *interface.balance;
-    const Vec2 buoyancy = interface.outline.area() * force_density;
+    const Vec2 buoyancy = interface.surface.area() * force_density;
     const MeanLoad before = load_before(interface.body);
     balance.mass_rate /= g;
     balance.inertia_rate /= g;
     balance.load = (balance.load + (1 - g) * before.force) / g + buoyancy;
     balance.torque = (balance.torque + (1 - g) * before.torque) / g +
-                     cross(interface.outline.centroid() - interface.rigid.centre, buoyancy);
+                     cross(interface.surface.centroid() - interface.rigid.centre, buoyancy);
   }
   return interfaces;
 }
@@ -225,21 +224,21 @@ std::vector<BodyTraction> NavierStokes::tractions() const {
   std::vector<BodyTraction> out(interfaces.size());
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const Interface& interface = interfaces[i];
-    const Knots& knots = system_->cut().knots[i];
+    const MultiplierNodes& multiplier_nodes = system_->cut().multiplier_nodes[i];
     const auto lambda =
-        current_.fields.lambda.segment(2 * system_->cut().first_multiplier[i], 2 * knots.size());
+        current_.fields.lambda.segment(2 * system_->cut().first_multiplier[i], 2 * multiplier_nodes.size());
     out[i].body = interface.body;
     for (Index a = 0; a < interface.n_arcs(); ++a) {
-      const auto [left, right] = knots.values(a);
-      const auto hats = knots.hats(a, 0.5 * (interface.start[a] + interface.end[a]));
+      const auto [left, right] = multiplier_nodes.values(a);
+      const auto hats = multiplier_nodes.hats(a, 0.5 * (interface.start[a] + interface.end[a]));
       out[i].lambda.emplace_back(hats[0] * lambda.segment<2>(2 * left) +
                                  hats[1] * lambda.segment<2>(2 * right));
     }
-    const Outline& outline = interface.outline;
-    const Vec2 buoyancy = outline.area() * force_density;
+    const Surface& surface = interface.surface;
+    const Vec2 buoyancy = surface.area() * force_density;
     out[i].motion = interface.rigid;
     out[i].force = resultants[i].force + buoyancy;
-    out[i].torque = resultants[i].torque + cross(outline.centroid() - interface.rigid.centre, buoyancy);
+    out[i].torque = resultants[i].torque + cross(surface.centroid() - interface.rigid.centre, buoyancy);
     const MeanLoad before = load_before(interface.body);
     out[i].mean = {.body = interface.body,
                    .force = g * out[i].force + (1 - g) * before.force,
@@ -271,7 +270,7 @@ void NavierStokes::accept() {
   accepted_.step_before = start_.previous_step;
   accepted_.previous_step = last_->time_step;
   accepted_.previous_u = std::move(accepted_.u);
-  if (displacement_.size() > 0) accepted_.drift = displacement_ / last_->time_step;
+  if (displacement_.size() > 0) accepted_.mesh_velocity = displacement_ / last_->time_step;
   accepted_.previous_fluid_in_cells = std::move(accepted_.fluid_in_cells);
   if (keeps_momentum()) accepted_.fluid_in_cells = fluid_in_cells(*system_, fields.u);
   accepted_.acceleration = time_terms_.acceleration(fields.u);
@@ -328,13 +327,13 @@ void NavierStokes::drop_caches() {
   base_.corrector = current_.corrector = {};
 }
 
-double NavierStokes::arc_length(const Outline& outline) const {
-  return wanted_arc_length(space_.mesh, space_.locator, outline, settings_.fluid.embedding.arc_ratio);
+double NavierStokes::arc_length(const Surface& surface) const {
+  return wanted_arc_length(space_.mesh, space_.locator, surface, settings_.fluid.embedding.arc_ratio);
 }
 
 double NavierStokes::condition() {
   require(system_ != nullptr, "a step is required before the condition of its matrix is known");
-  return condition_estimate(system_->matrix(), *system_->factor_of_matrix(monitor.ledger));
+  return condition_estimate(system_->matrix(), *system_->factor_of_matrix(monitor.timers));
 }
 
 /// Where nothing holds the fluid along an axis, a steady flow has any velocity that way, or none.
@@ -353,8 +352,8 @@ void NavierStokes::check_held(bool steady) const {
 /// The residual of the nodes that a boundary holds is what it does to the fluid, to the order of the scheme.
 void NavierStokes::measure_boundaries() {
   if (boundary_recovery_.curves().empty()) return;
-  monitor.ledger.counts["residuals"] += 1;
-  const ScopedTimer timer(monitor.ledger, "assembly");
+  monitor.timers.counts["residuals"] += 1;
+  const ScopedTimer timer(monitor.timers, "assembly");
   const Residual residual = system_->assemble(flow_, current_.fields, time_terms_, false);
   boundary_tractions_ = boundary_recovery_.recover(-residual.u);
 }

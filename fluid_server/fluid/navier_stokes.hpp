@@ -17,8 +17,8 @@
 #include "fluid/measure/percolation.hpp"
 #include "fluid/measure/resolution.hpp"
 #include "fluid/measure/volume_balance.hpp"
+#include "fluid/solve/factor_cache.hpp"
 #include "fluid/solve/history.hpp"
-#include "fluid/solve/kept_factor.hpp"
 #include "fluid/solve/motion.hpp"
 
 namespace fpi::fluid {
@@ -82,7 +82,7 @@ class NavierStokes {
   /// Drops factors; see Participant::checkpoint.
   void drop_caches();
 
-  double arc_length(const Outline& outline) const;
+  double arc_length(const Surface& surface) const;
   /// Cells of the accepted state that are in the fluid, wholly or in part.
   std::vector<bool> active_cells() const;
   /// Velocity of each node of the accepted state for pictures [m/s]: inside a body it is the body's, where
@@ -132,7 +132,7 @@ class NavierStokes {
   /// How large the mesh is and what this scene does not need, as sentences.
   std::vector<std::string> notes() const;
 
-  Monitor monitor;
+  Profiler monitor;
 
  private:
   NewtonResult start_step(const Request& request);
@@ -172,7 +172,7 @@ class NavierStokes {
   Scheme scheme_;           // of this step
   Vector displacement_;     // of the nodes in this step; empty: no body moves
   State start_;             // of this step: the accepted state, made consistent at the first step
-  KeptFactor kept_;         // of the accepted system
+  FactorCache kept_;        // of the accepted system
   std::shared_ptr<System> accepted_system_;
   std::vector<Interface> accepted_interfaces_;
   std::optional<Request> last_;  // nothing since the last accept or restore

@@ -31,7 +31,7 @@ Findings NavierStokes::rehearse(const Request& request) {
   std::shared_ptr<System> system;
   const bool is_made = findings.attempt("bodies", [&] {
     system = std::make_shared<System>(space_, settings_.fluid, with_fluid_loads(request), CutMesh{},
-                                      monitor.ledger);
+                                      monitor.timers);
   });
   Vector u = accepted_.u;
   for (const double t : times_asked_for(request)) {

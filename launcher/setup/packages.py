@@ -38,6 +38,11 @@ RUN = {
     "python3-h5py": "reads results for the pictures",
     "python3-matplotlib": "draws the pictures",
 }
+LINT = {
+    "git": "names the files of the project",
+    "clang-format": "the format of the sources in C++",
+    "pyflakes3": "faults in the sources in Python",
+}
 NEEDED = RUN if IS_INSTALLED else BUILD | RUN
 STATUS = Path("/var/lib/dpkg/status")  # changes with every package
 MEMORY = ROOT / "build" / "packages"  # what the last good answer of dpkg rested on
@@ -50,14 +55,14 @@ def installed(names) -> set[str]:
     return {line[3:].strip().split(":")[0] for line in lines if line.startswith("ii")}
 
 
-def missing() -> list[str]:
+def missing(needed: dict[str, str] = NEEDED) -> list[str]:
     if shutil.which("dpkg-query") is None:
         raise Refusal(
             "set-up knows Debian 12 (dpkg, apt); this system has no dpkg-query. Install what corresponds to: "
-            + ", ".join(NEEDED)
+            + ", ".join(needed)
         )
-    there = installed(NEEDED)
-    return [name for name in NEEDED if name not in there]
+    there = installed(needed)
+    return [name for name in needed if name not in there]
 
 
 def grounds() -> str:
@@ -82,21 +87,26 @@ def ensure(say=print) -> None:
     changes. Without root it prints the command and refuses."""
     if remembered() == grounds():
         return
-    names = missing()
+    install(NEEDED, say)
+    remember()
+
+
+def install(needed: dict[str, str], say=print) -> None:
+    """Installs those of `needed` that are missing."""
+    names = missing(needed)
     if not names:
-        remember()
         return
     say("These Debian packages are missing:")
     for name in names:
-        say(f"  {name:22s} {NEEDED[name]}")
-    install = ["apt-get", "install", "-y", "--no-install-recommends", *names]
+        say(f"  {name:22s} {needed[name]}")
+    command = ["apt-get", "install", "-y", "--no-install-recommends", *names]
     if os.geteuid() != 0:
         raise Refusal("only root can install them. Run this, then try again:\n  sudo apt-get update && sudo "
-                      + " ".join(install))
+                      + " ".join(command))
     say("Installing them with apt-get.")
     run_apt(["apt-get", "update"])
-    run_apt(install)
-    still = missing()
+    run_apt(command)
+    still = missing(needed)
     if still:
         raise Refusal(f"apt-get ended well but these packages are still missing: {', '.join(still)}")
 

@@ -49,7 +49,7 @@ class Crash : public RunTest {
   void begin_or_resume(const std::string& in) {
     FakeFluid new_fluid;
     FakeDem other_dem = new_dem();
-    CoupledRun run(scene_, {&new_fluid, &other_dem}, in, 1, ledger);
+    CoupledRun run(scene_, {&new_fluid, &other_dem}, in, 1, timers);
     if (has_checkpoint(in)) {
       run.resume({}, read_checkpoint(in, inputs_up_to_any_end(scene_, {})));
     } else {

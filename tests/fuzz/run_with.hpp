@@ -50,9 +50,9 @@ inline void run(const char* text, Participants participants) {
   if (std::filesystem::is_directory("/dev/shm")) setenv("TMPDIR", "/dev/shm", 0);  // many files, soon gone
   const scene::Scene scene = scene::read_text(text, "the scene of this target");
   const TemporaryFolder folder;
-  Ledger ledger;
+  Timers timers;
   try {
-    TimeLoop run(scene, participants, folder.path(), 1, ledger);
+    TimeLoop run(scene, participants, folder.path(), 1, timers);
     run.start({});
     run.march();
     log::info("the run ends well");

@@ -58,26 +58,28 @@ struct Traction {
 
 template <class Elastic>
 Traction rub(const Model& model, const Contact& contact, const PairLaw& law, const Normal& state,
-             double slope, double N, const Velocities& velocities, double stretch_time, Memory& memory) {
+             double slope, double N, const Velocities& velocities, double stretch_time,
+             ContactHistory& history) {
   Traction traction;
   const Spring tangential = tangential_spring<Elastic>(law, state, slope);
   if (law.friction > 0) {
-    follow(contact, stretch_time * contact.sliding(velocities.middle, velocities.middle_spin), memory.slip);
+    follow(contact, stretch_time * contact.sliding(velocities.middle, velocities.middle_spin), history.slip);
     const Vec3 rate = contact.sliding(velocities.now, velocities.now_spin);
-    traction.friction = stick_slip(tangential, law.friction * N, rate, memory.slip);
+    traction.friction = stick_slip(tangential, law.friction * N, rate, history.slip);
   }
   if (law.rolling_friction == 0 && law.twisting_friction == 0) return traction;
   const Spring turning = turning_spring(law, state, tangential, inertia(model.bodies, contact.a));
   const Vec3 middle = contact.turning(velocities.middle_spin), now = contact.turning(velocities.now_spin);
   if (law.rolling_friction > 0) {
-    follow(contact, stretch_time * contact.along(middle), memory.roll);
+    follow(contact, stretch_time * contact.along(middle), history.roll);
     const double limit = law.rolling_friction * state.radius * N;
-    traction.resistance += stick_slip(turning, limit, contact.along(now), memory.roll);
+    traction.resistance += stick_slip(turning, limit, contact.along(now), history.roll);
   }
   if (law.twisting_friction > 0) {
-    memory.twist += stretch_time * middle.dot(contact.normal);
+    history.twist += stretch_time * middle.dot(contact.normal);
     const double limit = law.twisting_friction * state.radius * N;
-    traction.resistance += stick_slip(turning, limit, now.dot(contact.normal), memory.twist) * contact.normal;
+    traction.resistance +=
+        stick_slip(turning, limit, now.dot(contact.normal), history.twist) * contact.normal;
   }
   return traction;
 }
@@ -112,9 +114,9 @@ Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3
 
 template <class Elastic>
 bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
-                 Memory& memory, Forces& forces, ContactCount& count) {
+                 ContactHistory& history, Forces& forces, ContactCount& count) {
   if (near.at.gap > sub_step.reach) {
-    if (!memory.empty()) memory = Memory{};
+    if (!history.empty()) history = ContactHistory{};
     return false;
   }
   const Contact contact(model, near);
@@ -131,7 +133,7 @@ bool add_contact(const Model& model, const Near& near, const Velocities& velocit
     const double stretched =
         sub_step.stretch_time * share_in_contact(state.overlap, sub_step.stretch_time * middle_rate);
     const auto [friction, resistance] =
-        rub<Elastic>(model, contact, near.law, state, mean.slope, N, velocities, stretched, memory);
+        rub<Elastic>(model, contact, near.law, state, mean.slope, N, velocities, stretched, history);
     contact.drag(friction, forces);
     contact.twist(resistance, forces);
     if (model.accounts_energy) {
@@ -139,14 +141,14 @@ bool add_contact(const Model& model, const Near& near, const Velocities& velocit
       count.forces.back().resistance = resistance;
     }
   } else {
-    memory = Memory{};
+    history = ContactHistory{};
   }
   return state.overlap > 0;
 }
 
-template bool add_contact<Hertz>(const Model&, const Near&, const Velocities&, const SubStep&, Memory&,
-                                 Forces&, ContactCount&);
-template bool add_contact<Linear>(const Model&, const Near&, const Velocities&, const SubStep&, Memory&,
-                                  Forces&, ContactCount&);
+template bool add_contact<Hertz>(const Model&, const Near&, const Velocities&, const SubStep&,
+                                 ContactHistory&, Forces&, ContactCount&);
+template bool add_contact<Linear>(const Model&, const Near&, const Velocities&, const SubStep&,
+                                  ContactHistory&, Forces&, ContactCount&);
 
 }  // namespace fpi::dem

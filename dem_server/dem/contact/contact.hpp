@@ -69,7 +69,7 @@ Normal normal_state(const Model& model, const Near& near, const std::vector<Vec3
 /// `count` records. True where it touches.
 template <class Elastic>
 bool add_contact(const Model& model, const Near& near, const Velocities& velocities, const SubStep& sub_step,
-                 Memory& memory, Forces& forces, ContactCount& count);
+                 ContactHistory& history, Forces& forces, ContactCount& count);
 
 /// Whether the centre of a body is behind a wall or has come through it in this sub-step: from there on a
 /// wall with grains on either side would push it on, away from where it came. A sub-step leads less than a
@@ -84,8 +84,8 @@ inline bool is_behind(const Model& model, const Near& here, const Velocities& ve
 /// Adds such a place and counts it where it touches; names(model, place) says whose surfaces they are.
 template <class Elastic, class Place>
 void add_place(const Model& model, const Near& here, const Place& place, const Velocities& velocities,
-               const SubStep& sub_step, Memory& memory, Forces& forces, ContactCount& count) {
-  if (!add_contact<Elastic>(model, here, velocities, sub_step, memory, forces, count)) return;
+               const SubStep& sub_step, ContactHistory& history, Forces& forces, ContactCount& count) {
+  if (!add_contact<Elastic>(model, here, velocities, sub_step, history, forces, count)) return;
   const double overlap = -here.at.gap;
   ++count.touching;
   count.largest_overlap = std::max(count.largest_overlap, overlap);

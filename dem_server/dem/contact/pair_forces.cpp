@@ -20,30 +20,30 @@ void set_lane(PairLawOf<Lanes>& laws, int lane, const PairLaw& law) {
 template <class Space, class Elastic>
 class PairForces {
  public:
-  PairForces(const Model& model, const Neighbours& neighbours, const SubStep& step, PairMemories& memories,
+  PairForces(const Model& model, const Neighbours& neighbours, const SubStep& step, PairHistories& histories,
              Particles& particles)
-      : model_(model), list_(neighbours), step_(step), memories_(memories), particles_(particles) {
+      : model_(model), list_(neighbours), step_(step), histories_(histories), particles_(particles) {
     for (int lane = 0; lane < n_lanes; ++lane) set_lane(law_, lane, model.laws(0, 0));
   }
 
   /// Adds the pairs of particles first … last − 1.
   [[gnu::flatten]] void add(std::size_t first, std::size_t last, ContactCount& count) {
     Acting acting;
-    const auto push = [&](const std::uint32_t* pair, const std::uint32_t* lower, std::size_t n) {
-      this->push({pair, lower, {}, n}, count);
+    const auto add = [&](const std::uint32_t* pair, const std::uint32_t* lower, std::size_t n) {
+      this->add_batch({pair, lower, {}, n}, count);
     };
     for (std::size_t i = first; i < last; ++i) {
       for (std::uint32_t p = list_.start[i]; p < list_.start[i + 1]; p += n_lanes) {
         find_acting(static_cast<std::uint32_t>(i), p, acting);
-        if (acting.full()) acting.empty(push);
+        if (acting.full()) acting.empty(add);
       }
     }
-    acting.empty(push);
+    acting.empty(add);
   }
 
  private:
   using Vector = typename Space::Vector;
-  using Turn = typename Space::Turn;
+  using Rotation = typename Space::Rotation;
 
   /// Looks at the distances of the pairs p … p + n_lanes − 1 of particle i; those beyond its last are another
   /// particle's, and left as they are.
@@ -53,16 +53,16 @@ class PairForces {
     Lanes x = load(particles_.place[other[0]].data()), y = load(particles_.place[other[1]].data()),
           z = load(particles_.place[other[2]].data()), R = load(particles_.place[other[3]].data());
     transpose(x, y, z, R);
-    Triple line{x - place[0], y - place[1], z - place[2]};
+    LaneVector3 line{x - place[0], y - place[1], z - place[2]};
     if (repeats_) line = InSpace::shortest(line, model_.periodic);
     const Lanes sum = R + (place[3] + step_.reach);
     const std::uint32_t left = list_.start[i + 1] - p;
     const unsigned mine = left < n_lanes ? (1u << left) - 1 : (1u << n_lanes) - 1;
     const unsigned near = bits(line.dot(line) < sum * sum) & mine;
     std::uint32_t touching;
-    std::memcpy(&touching, &memories_.touching[p], sizeof touching);
+    std::memcpy(&touching, &histories_.touching[p], sizeof touching);
     touching &= lane_bytes[near | (~mine & ((1u << n_lanes) - 1))];
-    std::memcpy(&memories_.touching[p], &touching, sizeof touching);
+    std::memcpy(&histories_.touching[p], &touching, sizeof touching);
     if (near) acting.add(near, p, i);
   }
 
@@ -74,9 +74,9 @@ class PairForces {
   };
   /// Pairs as they are now: a is the lower particle, the normal points to b.
   struct Meeting {
-    Vector normal, velocity;                  ///< of a over b
-    Vector middle;                            ///< the same at the middle of the sub-step
-    Turn spin_a, spin_b, middle_a, middle_b;  ///< now and at the middle
+    Vector normal, velocity;                      ///< of a over b
+    Vector middle;                                ///< the same at the middle of the sub-step
+    Rotation spin_a, spin_b, middle_a, middle_b;  ///< now and at the middle
     Lanes gap, inverse_mass, Ra, Rb;
   };
 
@@ -117,8 +117,8 @@ class PairForces {
 
   /// The contact law of a batch, and what it does to the particles. Both share the overlap, so that their
   /// angular momentum is kept exactly. Sliding, its spring and friction are taken as n × their vector, as
-  /// Memory::slip.
-  void push(Batch batch, ContactCount& count) {
+  /// ContactHistory::slip.
+  void add_batch(Batch batch, ContactCount& count) {
     const auto& [pair, lower, higher, n] = batch;
     for (std::size_t k = 0; k < n_lanes; ++k) batch.higher[k] = list_.other[pair[k]];
     const Meeting m = meet(batch);
@@ -133,21 +133,21 @@ class PairForces {
     const Lanes arm_a = m.Ra + 0.5 * m.gap, arm_b = m.Rb + 0.5 * m.gap;
 
     const auto remembers = remembering(batch);
-    const Gathered memory([&](int k) { return load(memories_.slip[pair[k]].data()); });
-    const auto sliding = [&](const Vector& v, const Turn& spin_a, const Turn& spin_b) {
+    const Gathered history([&](int k) { return load(histories_.slip[pair[k]].data()); });
+    const auto sliding = [&](const Vector& v, const Rotation& spin_a, const Rotation& spin_b) {
       return Space::cross(m.normal, v) + Space::across(arm_a * spin_a + arm_b * spin_b, m.normal);
     };
     const Lanes stretched =
         step_.stretch_time * share_in_contact(state.overlap, Lanes(step_.stretch_time * middle_rate));
-    Turn slip = Space::follow(keep(remembers, Space::turn(memory)), m.normal) +
-                stretched * sliding(m.middle, m.middle_a, m.middle_b);
-    Lanes twist = keep(remembers, memory.w);
-    const Turn slide = sliding(m.velocity, m.spin_a, m.spin_b);
+    Rotation slip = Space::follow(keep(remembers, Space::turn(history)), m.normal) +
+                    stretched * sliding(m.middle, m.middle_a, m.middle_b);
+    Lanes twist = keep(remembers, history.w);
+    const Rotation slide = sliding(m.velocity, m.spin_a, m.spin_b);
     const SpringOf<Lanes> tangential = tangential_spring<Elastic>(law_, state, mean.slope);
-    const Turn friction = keep(rubs, stick_slip(tangential, law_.friction * N, slide, slip));
+    const Rotation friction = keep(rubs, stick_slip(tangential, law_.friction * N, slide, slip));
 
     const Vector force = Space::turned(friction, m.normal);
-    Turn moment_a = arm_a * friction, moment_b = arm_b * friction, resistance{};
+    Rotation moment_a = arm_a * friction, moment_b = arm_b * friction, resistance{};
     if (turning_) {
       resistance = keep(rubs, resist_turning(batch, m, state, tangential, N, remembers, stretched, twist));
       moment_a = moment_a + resistance;
@@ -166,19 +166,19 @@ class PairForces {
                                 .arm_a = arm_a[k],
                                 .arm_b = arm_b[k]});
     }
-    Space::scatter_turn(n, slip, twist,
-                        [&](std::size_t k, Lanes v) { store(v, memories_.slip[pair[k]].data()); });
-    auto& push = particles_.push;
+    Space::scatter_rotation(n, slip, twist,
+                            [&](std::size_t k, Lanes v) { store(v, histories_.slip[pair[k]].data()); });
+    auto& on = particles_.force;
     Space::scatter_vector(n, force - N * m.normal, [&](std::size_t k, Lanes v) {
-      add_to(push[lower[k]].linear, v);
-      add_to(push[higher[k]].linear, -v);
+      add_to(on[lower[k]].linear, v);
+      add_to(on[higher[k]].linear, -v);
     });
-    Space::scatter_turn(n, moment_a, Lanes{},
-                        [&](std::size_t k, Lanes v) { add_to(push[lower[k]].angular, v); });
-    Space::scatter_turn(n, moment_b, Lanes{},
-                        [&](std::size_t k, Lanes v) { add_to(push[higher[k]].angular, v); });
+    Space::scatter_rotation(n, moment_a, Lanes{},
+                            [&](std::size_t k, Lanes v) { add_to(on[lower[k]].angular, v); });
+    Space::scatter_rotation(n, moment_b, Lanes{},
+                            [&](std::size_t k, Lanes v) { add_to(on[higher[k]].angular, v); });
     const unsigned rubbing = bits(rubs);
-    for (std::size_t k = 0; k < n; ++k) memories_.touching[pair[k]] = rubbing >> k & 1;
+    for (std::size_t k = 0; k < n; ++k) histories_.touching[pair[k]] = rubbing >> k & 1;
     note(batch, m, count);
   }
 
@@ -186,35 +186,35 @@ class PairForces {
 
   auto remembering(const Batch& batch) const {
     Lanes remembers;
-    for (int k = 0; k < n_lanes; ++k) remembers[k] = memories_.touching[batch.pair[k]];
+    for (int k = 0; k < n_lanes; ++k) remembers[k] = histories_.touching[batch.pair[k]];
     return remembers > 0;
   }
 
   /// Moment on a by which the contacts resist rolling and twisting.
   template <class Mask>
-  Turn resist_turning(const Batch& batch, const Meeting& m, const NormalOf<Lanes>& state,
-                      const SpringOf<Lanes>& tangential, Lanes N, Mask remembers, Lanes stretched,
-                      Lanes& twist) {
+  Rotation resist_turning(const Batch& batch, const Meeting& m, const NormalOf<Lanes>& state,
+                          const SpringOf<Lanes>& tangential, Lanes N, Mask remembers, Lanes stretched,
+                          Lanes& twist) {
     Lanes inverse_inertia;
     for (int k = 0; k < n_lanes; ++k)
       inverse_inertia[k] =
           particles_.half[batch.lower[k]].angular[3] + particles_.half[batch.higher[k]].angular[3];
     const SpringOf<Lanes> spring = turning_spring(
         law_, state, tangential, Lanes(select(inverse_inertia > 0, 1 / inverse_inertia, Lanes{})));
-    const Turn middle = m.middle_a - m.middle_b, now = m.spin_a - m.spin_b;
+    const Rotation middle = m.middle_a - m.middle_b, now = m.spin_a - m.spin_b;
     const Lanes lever = state.radius * N;
-    const Gathered memory([&](int k) { return load(memories_.roll[batch.pair[k]].data()); });
-    Turn roll = Space::follow(keep(remembers, Space::turn(memory)), m.normal) +
-                stretched * Space::across(middle, m.normal);
-    Turn moment =
+    const Gathered history([&](int k) { return load(histories_.roll[batch.pair[k]].data()); });
+    Rotation roll = Space::follow(keep(remembers, Space::turn(history)), m.normal) +
+                    stretched * Space::across(middle, m.normal);
+    Rotation moment =
         stick_slip(spring, Lanes(law_.rolling_friction * lever), Space::across(now, m.normal), roll);
-    if constexpr (std::is_same_v<Turn, Triple>) {
+    if constexpr (std::is_same_v<Rotation, LaneVector3>) {
       twist += stretched * middle.dot(m.normal);
       moment +=
           stick_slip(spring, Lanes(law_.twisting_friction * lever), now.dot(m.normal), twist) * m.normal;
     }
-    Space::scatter_turn(batch.n, roll, Lanes{},
-                        [&](std::size_t k, Lanes v) { store(v, memories_.roll[batch.pair[k]].data()); });
+    Space::scatter_rotation(batch.n, roll, Lanes{},
+                            [&](std::size_t k, Lanes v) { store(v, histories_.roll[batch.pair[k]].data()); });
     return moment;
   }
 
@@ -236,14 +236,14 @@ class PairForces {
   const bool turning_ = model_.laws.resists_turning();
   const Neighbours& list_;
   const SubStep step_;
-  PairMemories& memories_;
+  PairHistories& histories_;
   Particles& particles_;
   PairLawOf<Lanes> law_{};
 };
 
 template <class Space, class Elastic>
 ContactCount add_with(const Model& model, const Neighbours& neighbours, const SubStep& step,
-                      PairMemories& memories, Particles& particles) {
+                      PairHistories& histories, Particles& particles) {
   const auto& slabs = neighbours.slabs;
   const std::size_t n_slabs = slabs.size() - 1;
   std::vector<ContactCount> counts(n_slabs);
@@ -251,7 +251,7 @@ ContactCount add_with(const Model& model, const Neighbours& neighbours, const Su
     const std::size_t n = (n_slabs + 1 - parity) / 2;
     parallel_for(static_cast<int>(n), [&](int k) {
       const std::size_t s = 2 * static_cast<std::size_t>(k) + parity;
-      PairForces<Space, Elastic>(model, neighbours, step, memories, particles)
+      PairForces<Space, Elastic>(model, neighbours, step, histories, particles)
           .add(slabs[s], slabs[s + 1], counts[s]);
     });
   }
@@ -263,11 +263,11 @@ ContactCount add_with(const Model& model, const Neighbours& neighbours, const Su
 }  // namespace
 
 ContactCount add_pair_forces(const Model& model, const Neighbours& neighbours, const SubStep& step,
-                             PairMemories& memories, Particles& particles) {
+                             PairHistories& histories, Particles& particles) {
   return with_elastic_law(model.elasticity, [&](auto law) {
     using Elastic = decltype(law);
     const auto add = model.plane ? add_with<InPlane, Elastic> : add_with<InSpace, Elastic>;
-    return add(model, neighbours, step, memories, particles);
+    return add(model, neighbours, step, histories, particles);
   });
 }
 

@@ -2,13 +2,13 @@
 /// that touch go through the contact law several at once.
 #pragma once
 
-#include "dem/contact/pair_memories.hpp"
+#include "dem/contact/pair_histories.hpp"
 
 namespace fpi::dem {
 
-/// Adds the forces of all pairs to `particles.push`. The sums do not depend on the number of threads: a pair
+/// Adds the forces of all pairs to `particles.force`. The sums do not depend on the number of threads: a pair
 /// belongs to the slab of its lower particle, and even slabs come first, then odd ones.
 ContactCount add_pair_forces(const Model& model, const Neighbours& neighbours, const SubStep& step,
-                             PairMemories& memories, Particles& particles);
+                             PairHistories& histories, Particles& particles);
 
 }  // namespace fpi::dem

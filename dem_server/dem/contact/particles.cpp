@@ -29,7 +29,7 @@ Particles::Particles(const Model& model, const Motions& motions, const Forces& l
   place.assign(n, Record::Zero());
   half.resize(n);
   now.resize(n);
-  push.resize(n);
+  force.resize(n);
   turned.assign(n, Record::Zero());
   material.resize(n);
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -59,9 +59,9 @@ void Particles::reorder(const std::vector<std::uint32_t>& order) {
   permute(order, place);
   permute(order, half);
   permute(order, now);
-  permute(order, push);
+  permute(order, force);
   if (!load.empty()) permute(order, load);
-  if (!contact_push.empty()) permute(order, contact_push);
+  if (!contact_force.empty()) permute(order, contact_force);
   permute(order, turned);
   permute(order, material);
 }

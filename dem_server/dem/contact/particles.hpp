@@ -18,8 +18,8 @@ struct Particles {
   std::vector<Record> place;        ///< x, y, z [m], R [m]
   std::vector<Twin> half;           ///< velocity [m/s] and 1/m, spin [rad/s] and 1/I: middle of the sub-step
   std::vector<Twin> now;            ///< velocity and 1/m, spin and R: at its end, for dashpots
-  std::vector<Twin> push;           ///< force [N] and moment [N m] that it moves by, besides the loads
-  std::vector<Twin> contact_push;   ///< those of the contacts; empty: the same
+  std::vector<Twin> force;          ///< force [N] and moment [N m] that it moves by, besides the loads
+  std::vector<Twin> contact_force;  ///< those of the contacts; empty: the same
   std::vector<Twin> load;  ///< acceleration [m/s²] and angular [rad/s²] by what is held; empty: weight only
   Record gravity;          ///< [m/s²], and 0
   std::vector<Record> turned;  ///< Orientation::since

@@ -1,9 +1,9 @@
 /// The vectors of contacts in space and in a plane, several at once, so that one kernel serves both and a
-/// plane pays for two axes and one spin: `Vector` is of places, velocities and forces, `Turn` of spins and
-/// moments about the axes that the space has.
+/// plane pays for two axes and one spin: `Vector` is of places, velocities and forces, `Rotation` of spins
+/// and moments about the axes that the space has.
 #pragma once
 
-#include "dem/base/triple.hpp"
+#include "dem/base/lane_vectors.hpp"
 #include "dem/contact/particles.hpp"
 
 namespace fpi::dem {
@@ -28,61 +28,61 @@ void scatter(std::size_t n, Lanes x, Lanes y, Lanes z, Lanes w, Put put) {
 }
 
 struct InSpace {
-  using Vector = Triple;
-  using Turn = Triple;
+  using Vector = LaneVector3;
+  using Rotation = LaneVector3;
 
   static Vector shortest(const Vector& line, const PeriodicBox& box) {
     return {box.shortest(line.x, 0), box.shortest(line.y, 1), box.shortest(line.z, 2)};
   }
-  static Vec3 lane(const Triple& v, std::size_t k) { return {v.x[k], v.y[k], v.z[k]}; }
+  static Vec3 lane(const LaneVector3& v, std::size_t k) { return {v.x[k], v.y[k], v.z[k]}; }
   static Vector vector(const Gathered& g) { return {g.x, g.y, g.z}; }
-  static Turn turn(const Gathered& g) { return {g.x, g.y, g.z}; }
+  static Rotation turn(const Gathered& g) { return {g.x, g.y, g.z}; }
   template <class Put>
   static void scatter_vector(std::size_t n, const Vector& v, Put put) {
     scatter(n, v.x, v.y, v.z, Lanes{}, put);
   }
   template <class Put>
-  static void scatter_turn(std::size_t n, const Turn& v, Lanes w, Put put) {
+  static void scatter_rotation(std::size_t n, const Rotation& v, Lanes w, Put put) {
     scatter(n, v.x, v.y, v.z, w, put);
   }
 
   /// n × v and m × n.
-  static Turn cross(const Vector& n, const Vector& v) { return n.cross(v); }
-  static Vector turned(const Turn& m, const Vector& n) { return m.cross(n); }
+  static Rotation cross(const Vector& n, const Vector& v) { return n.cross(v); }
+  static Vector turned(const Rotation& m, const Vector& n) { return m.cross(n); }
   /// The part of a turn that is not about the normal.
-  static Turn across(const Turn& w, const Vector& n) { return w - w.dot(n) * n; }
+  static Rotation across(const Rotation& w, const Vector& n) { return w - w.dot(n) * n; }
   /// A spring across the normal as it was, turned across the normal as it is without changing its length.
-  static Turn follow(const Turn& spring, const Vector& n) {
-    const Turn left = across(spring, n);
+  static Rotation follow(const Rotation& spring, const Vector& n) {
+    const Rotation left = across(spring, n);
     const Lanes squared = left.dot(left);
     return select(squared > 0, sqrt(spring.dot(spring) / squared), Lanes{}) * left;
   }
 };
 
 struct InPlane {
-  using Vector = Couple;
-  using Turn = Lanes;
+  using Vector = LaneVector2;
+  using Rotation = Lanes;
 
   static Vector shortest(const Vector& line, const PeriodicBox& box) {
     return {box.shortest(line.x, 0), box.shortest(line.y, 1)};
   }
   static Vec3 lane(const Vector& v, std::size_t k) { return {v.x[k], v.y[k], 0}; }
-  static Vec3 lane(Turn v, std::size_t k) { return {0, 0, v[k]}; }
+  static Vec3 lane(Rotation v, std::size_t k) { return {0, 0, v[k]}; }
   static Vector vector(const Gathered& g) { return {g.x, g.y}; }
-  static Turn turn(const Gathered& g) { return g.z; }
+  static Rotation turn(const Gathered& g) { return g.z; }
   template <class Put>
   static void scatter_vector(std::size_t n, const Vector& v, Put put) {
     scatter(n, v.x, v.y, Lanes{}, Lanes{}, put);
   }
   template <class Put>
-  static void scatter_turn(std::size_t n, Turn v, Lanes w, Put put) {
+  static void scatter_rotation(std::size_t n, Rotation v, Lanes w, Put put) {
     scatter(n, Lanes{}, Lanes{}, v, w, put);
   }
 
-  static Turn cross(const Vector& n, const Vector& v) { return n.x * v.y - n.y * v.x; }
-  static Vector turned(Turn m, const Vector& n) { return {-m * n.y, m * n.x}; }
-  static Turn across(Turn w, const Vector&) { return w; }
-  static Turn follow(Turn spring, const Vector&) { return spring; }
+  static Rotation cross(const Vector& n, const Vector& v) { return n.x * v.y - n.y * v.x; }
+  static Vector turned(Rotation m, const Vector& n) { return {-m * n.y, m * n.x}; }
+  static Rotation across(Rotation w, const Vector&) { return w; }
+  static Rotation follow(Rotation spring, const Vector&) { return spring; }
 };
 
 }  // namespace fpi::dem

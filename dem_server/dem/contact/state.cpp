@@ -41,9 +41,9 @@ class Writer : public ByteWriter {
   void put(const ContactList<Place>& list) {
     for (std::size_t p = 0; p < list.places.size(); ++p) {
       put(list.places[p]);
-      put(list.memories[p].slip);
-      put(list.memories[p].roll);
-      put(list.memories[p].twist);
+      put(list.histories[p].slip);
+      put(list.histories[p].roll);
+      put(list.histories[p].twist);
     }
   }
 };
@@ -75,7 +75,7 @@ class Reader : public ByteReader {
               "the DEM's state has a contact {} of {} and {} that cannot be: take another checkpoint", p, a,
               b);
       const Vec3 slip = vector(), roll = vector();
-      list.memories.push_back({slip, roll, number()});
+      list.histories.push_back({slip, roll, number()});
     }
   }
 };
@@ -97,8 +97,9 @@ void find_neighbours(const Model& model, double reach, State& state) {
 
 void forget_contacts_of_left(const Model& model, State& state) {
   const std::vector<bool>& left = model.bodies.left;
-  state.contacts.keep([&](const Pair& pair, const Memory&) { return !left[pair.a] && !left[pair.b]; });
-  state.wall_contacts.keep([&](const WallPlace& place, const Memory&) { return !left[place.body]; });
+  state.contacts.keep(
+      [&](const Pair& pair, const ContactHistory&) { return !left[pair.a] && !left[pair.b]; });
+  state.wall_contacts.keep([&](const WallPlace& place, const ContactHistory&) { return !left[place.body]; });
   state.neighbours.reset();
 }
 

@@ -53,7 +53,7 @@ inline constexpr std::array all_energies{&Energies::kinetic, &Energies::potentia
 /// Drops what bodies that left touched and makes a search due.
 void forget_contacts_of_left(const Model& model, State& state);
 
-/// Keeps only contacts with a memory and makes a search due: what a resumed run starts from.
+/// Keeps only contacts with a history and makes a search due: what a resumed run starts from.
 void forget_search(State& state);
 
 /// Calls visit(near) for every pair and every facet of a wall that a body is near.

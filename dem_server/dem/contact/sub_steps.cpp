@@ -46,8 +46,8 @@ double time_to_close(double gap, double closing, double acceleration) {
   return acceleration > 0 ? (std::sqrt(discriminant) - closing) / acceleration : never;
 }
 
-void Outlook::consider(const Model& model, const PairLaw& law, const Normal& normal, const Approach& closing,
-                       double speed, const Pull& pull) {
+void StepEstimate::consider(const Model& model, const PairLaw& law, const Normal& normal,
+                            const Approach& closing, double speed, const Pull& pull) {
   free_time =
       std::min(free_time, time_to_close(-normal.overlap - pull.reach, closing.speed, closing.acceleration));
   if (4 * speed * contact_step > normal.radius) contact_step = normal.radius / (4 * speed);
@@ -71,7 +71,7 @@ double whole_sub_steps(double time, double length, double left) {
 }
 
 void look_ahead_pairs(const Model& model, const Neighbours& neighbours, const Particles& particles,
-                      const std::vector<Vec3>& position, Outlook& outlook) {
+                      const std::vector<Vec3>& position, StepEstimate& estimate) {
   const bool attracts = widest_attraction(model) > 0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     for (std::uint32_t p = neighbours.start[i]; p < neighbours.start[i + 1]; ++p) {
@@ -85,14 +85,14 @@ void look_ahead_pairs(const Model& model, const Neighbours& neighbours, const Pa
       const Normal normal{1 / (particles.half[i].linear[3] + particles.half[j].linear[3]),
                           Ri * Rj / (Ri + Rj), Ri + Rj - distance, closing.speed};
       const Pair pair{particles.body[i], particles.body[j]};
-      outlook.consider(model, model.laws(particles.material[i], particles.material[j]), normal, closing,
-                       velocity.norm() + acceleration.norm() * outlook.horizon,
-                       attracts ? pull_of(model, near(model, position, pair), normal.mass) : Pull{});
+      estimate.consider(model, model.laws(particles.material[i], particles.material[j]), normal, closing,
+                        velocity.norm() + acceleration.norm() * estimate.horizon,
+                        attracts ? pull_of(model, near(model, position, pair), normal.mass) : Pull{});
     }
   }
 }
 
-void look_ahead_walls(const Model& model, const State& state, const Forces& loads, Outlook& outlook) {
+void look_ahead_walls(const Model& model, const State& state, const Forces& loads, StepEstimate& estimate) {
   const Motions& motions = state.motions;
   const WallContacts& wall_contacts = state.wall_contacts;
   for (const WallPlace& place : wall_contacts.places) {
@@ -100,9 +100,9 @@ void look_ahead_walls(const Model& model, const State& state, const Forces& load
     const Vec3 velocity = motions.velocity[here.a] - here.frame.velocity;
     const Vec3 acceleration = relative_acceleration(model, loads, here);
     const Normal normal = normal_state(model, here, motions.velocity);
-    outlook.consider(model, here.law, normal, approach(here, velocity, acceleration),
-                     velocity.norm() + acceleration.norm() * outlook.horizon,
-                     pull_of(model, here, normal.mass));
+    estimate.consider(model, here.law, normal, approach(here, velocity, acceleration),
+                      velocity.norm() + acceleration.norm() * estimate.horizon,
+                      pull_of(model, here, normal.mass));
   }
 }
 

@@ -1,5 +1,5 @@
-/// How far a step may go at once: bodies that touch nothing fly, bodies that touch or are about to take
-/// sub-steps out of the Hertz contact time of the stiffest pair that can touch.
+/// How far a step may go at once: bodies that touch nothing take free flight, bodies that touch or are about
+/// to take sub-steps out of the Hertz contact time of the stiffest pair that can touch.
 #pragma once
 
 #include "dem/contact/particles.hpp"
@@ -21,7 +21,7 @@ struct Pull {
   double step = never;  ///< [s] that resolves it
 };
 
-struct Outlook {
+struct StepEstimate {
   double horizon;            ///< [s] how far ahead it looks
   double free_time = never;  ///< [s] before which nothing touches
   /// [s] t_c/steps_per_contact of the stiffest pair nearby, whether it will touch or not: what may or may not
@@ -50,9 +50,9 @@ double whole_sub_steps(double time, double length, double left);
 /// Looks ahead at the pairs from the velocities of `half`, under their constant loads; `position` in the
 /// scene's order is for attractions only.
 void look_ahead_pairs(const Model& model, const Neighbours& neighbours, const Particles& particles,
-                      const std::vector<Vec3>& position, Outlook& outlook);
+                      const std::vector<Vec3>& position, StepEstimate& estimate);
 /// Looks ahead at the walls from the current motions under the constant `loads`.
-void look_ahead_walls(const Model& model, const State& state, const Forces& loads, Outlook& outlook);
+void look_ahead_walls(const Model& model, const State& state, const Forces& loads, StepEstimate& estimate);
 
 /// Time [s] for which no body or wall moves farther than half the skin from where the last search found it.
 double time_within_skin(const Neighbours& neighbours, const WallContacts& walls, const Particles& particles);

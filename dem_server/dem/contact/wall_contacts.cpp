@@ -19,20 +19,20 @@ Nearest nearest(const Model& model, const WallMotions& motions, const WallPlace&
   return nearest(model.walls, motions, place.facet, x, model.periodic.shift(place.image));
 }
 
-/// Contacts of one body that begin take over the memories of those that end at the same place of other
+/// Contacts of one body that begin take over the histories of those that end at the same place of other
 /// facets.
 void hand_over(const Model& model, const Vec3& x, const std::vector<NearFacet>& own, std::size_t first,
                std::size_t last, WallContacts& contacts) {
   const double within = joint * model.bodies.radius[contacts.places[first].body];
   for (std::size_t ends = first; ends < last; ++ends) {
-    if (contacts.memories[ends].empty() || find_place(model, own, contacts.places[ends]) != own.end())
+    if (contacts.histories[ends].empty() || find_place(model, own, contacts.places[ends]) != own.end())
       continue;
     const Vec3 place = nearest(model, contacts.motions, contacts.places[ends], x).place;
     for (std::size_t p = first; p < last; ++p) {
       const auto begins = find_place(model, own, contacts.places[p]);
-      if (begins == own.end() || !contacts.memories[p].empty()) continue;
+      if (begins == own.end() || !contacts.histories[p].empty()) continue;
       if ((begins->at.place - place).norm() <= within) {
-        std::swap(contacts.memories[p], contacts.memories[ends]);
+        std::swap(contacts.histories[p], contacts.histories[ends]);
         break;
       }
     }
@@ -130,11 +130,11 @@ void add_wall_contacts(const Model& model, const std::vector<Vec3>& position, co
     for (std::size_t p = first; p < last; ++p) {
       const auto facet = find_place(model, own, contacts.places[p]);
       if (facet == own.end()) {
-        contacts.memories[p] = {};
+        contacts.histories[p] = {};
       } else {
         with_elastic_law(model.elasticity, [&](auto law) {
           add_place<decltype(law)>(model, near(model, contacts.motions, body, *facet), contacts.places[p],
-                                   velocities, sub_step, contacts.memories[p], forces, count);
+                                   velocities, sub_step, contacts.histories[p], forces, count);
         });
       }
     }

@@ -1,6 +1,6 @@
-/// Which bodies are near which facets of walls, with the memories of their contacts: apart from the bodies'
+/// Which bodies are near which facets of walls, with the histories of their contacts: apart from the bodies'
 /// pairs, since walls have a geometry and motions of their own. A grain that goes over a joint takes the
-/// memory of its contact along from facet to facet.
+/// history of its contact along from facet to facet.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@ struct WallContacts : ContactList<WallPlace> {
   void drift(double duration);
 };
 
-/// Lists every free body and facet, or image of it, whose gap is at most `widest_gap` [m]; memories stay with
-/// their places.
+/// Lists every free body and facet, or image of it, whose gap is at most `widest_gap` [m]; histories stay
+/// with their places.
 void search_walls(const Model& model, const std::vector<Vec3>& position, double widest_gap,
                   WallContacts& contacts);
 

@@ -13,26 +13,26 @@ double stored_along_normal(const Near& near, const Normal& state) {
 
 /// Springs are as stiff as the overlap makes them now.
 template <class Elastic>
-void add_springs(const Near& near, Normal state, const Memory& memory, Energies& sum) {
+void add_springs(const Near& near, Normal state, const ContactHistory& history, Energies& sum) {
   state.overlap = std::max(state.overlap, 0.0);
   const Spring along =
       tangential_spring<Elastic>(near.law, state, Elastic::slope(std::max(state.overlap, 0.0)));
   const Spring turning = turning_spring(near.law, state, along, 0.0);
-  sum.tangential += 0.5 * along.stiffness * memory.slip.squaredNorm();
-  sum.turning += 0.5 * turning.stiffness * (memory.roll.squaredNorm() + memory.twist * memory.twist);
+  sum.tangential += 0.5 * along.stiffness * history.slip.squaredNorm();
+  sum.turning += 0.5 * turning.stiffness * (history.roll.squaredNorm() + history.twist * history.twist);
 }
 
-/// Calls visit(near, memory) for the contacts that remember.
+/// Calls visit(near, history) for the contacts that remember.
 template <class Visit>
 void each_remembered(const Model& model, const State& state, Visit visit) {
   const std::vector<Vec3>& position = state.motions.position;
   const ContactList<Pair>& pairs = state.contacts;
   for (std::size_t p = 0; p < pairs.places.size(); ++p)
-    visit(near(model, position, pairs.places[p]), pairs.memories[p]);
+    visit(near(model, position, pairs.places[p]), pairs.histories[p]);
   const WallContacts& walls = state.wall_contacts;
   for (std::size_t p = 0; p < walls.places.size(); ++p)
-    if (!walls.memories[p].empty())
-      visit(near(model, position, walls.motions, walls.places[p]), walls.memories[p]);
+    if (!walls.histories[p].empty())
+      visit(near(model, position, walls.motions, walls.places[p]), walls.histories[p]);
 }
 
 }  // namespace
@@ -58,8 +58,8 @@ Energies energies(const Model& model, const State& state) {
       sum.potential += attraction_energy(model, near);
       sum.normal += stored_along_normal<Elastic>(near, normal_state(model, near, motions.velocity));
     });
-    each_remembered(model, state, [&](const Near& near, const Memory& memory) {
-      add_springs<Elastic>(near, normal_state(model, near, motions.velocity), memory, sum);
+    each_remembered(model, state, [&](const Near& near, const ContactHistory& history) {
+      add_springs<Elastic>(near, normal_state(model, near, motions.velocity), history, sum);
     });
   });
   return sum;
@@ -94,14 +94,14 @@ void WorkMeter::add_bodies(double duration, const Particles& particles, Works& w
   const Bodies& bodies = model_.bodies;
   for (std::size_t k = 0; k < particles.size(); ++k) {
     const std::uint32_t i = particles.body[k];
-    const Twin &half = particles.half[k], &push = particles.push[k];
+    const Twin &half = particles.half[k], &total = particles.force[k];
     const Vec3 held = particles.acceleration(k).head<3>();
     const Vec3 held_turning =
         particles.load.empty() ? Vec3(Vec3::Zero()) : Vec3(particles.load[k].angular.head<3>());
-    const Twin& contacts = particles.contact_push.empty() ? push : particles.contact_push[k];
+    const Twin& contacts = particles.contact_force.empty() ? total : particles.contact_force[k];
     const Vec3 force = contacts.linear.head<3>(), moment = contacts.angular.head<3>();
-    const Vec3 acceleration = half.linear[3] * push.linear.head<3>() + held,
-               turning = half.angular[3] * push.angular.head<3>() + held_turning;
+    const Vec3 acceleration = half.linear[3] * total.linear.head<3>() + held,
+               turning = half.angular[3] * total.angular.head<3>() + held_turning;
     velocity_[i] = half.linear.head<3>() + 0.5 * duration * acceleration;
     spin_[i] = half.angular.head<3>() + 0.5 * duration * turning;
     if (bodies.is_free(i)) {

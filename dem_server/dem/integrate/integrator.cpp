@@ -11,7 +11,7 @@
 #include "dem/integrate/energy.hpp"
 #include "dem/integrate/sweep.hpp"
 #include "dem/integrate/trapezoidal.hpp"
-#include "dem/lubrication/films.hpp"
+#include "dem/lubrication/lubrication_forces.hpp"
 
 namespace fpi::dem {
 namespace {
@@ -36,9 +36,9 @@ class Integration {
         duration_(duration),
         state_(state),
         motions_(state.motions),
-        films_(model, inertia, resolved_gaps),
+        lubrication_(model, inertia, resolved_gaps),
         particles_(begin()),
-        memories_(state.contacts, *state.neighbours, model.laws.resists_turning()) {
+        histories_(state.contacts, *state.neighbours, model.laws.resists_turning()) {
     state_.contacts = {};
     if (model.accounts_energy) meter_.emplace(model);
     note_search();
@@ -47,21 +47,21 @@ class Integration {
   Advanced run() {
     for (left_ = duration_; left_ > 0 && outcome_.converged;) {
       write_scene_ordered();
-      Outlook ahead{left_};
+      StepEstimate ahead{left_};
       const double film_step = least_under_loads([&] {
         look_ahead_pairs(model_, *state_.neighbours, particles_, motions_.position, ahead);
         look_ahead_walls(model_, state_, load_, ahead);
-        return films_.longest_step(state_, load_);
+        return lubrication_.longest_step(state_, load_);
       });
-      films_.place(state_);
+      lubrication_.place(state_);
       const bool flies = std::isinf(ahead.free_time) || ahead.free_time > worth_flying * ahead.contact_step;
       longest_ = model_.largest_sub_step;
-      if (std::isfinite(ahead.contact_step) || !films_.empty())
+      if (std::isfinite(ahead.contact_step) || !lubrication_.empty())
         longest_ = std::min(longest_, within_quarter_skin());
-      if (films_.empty()) {
+      if (lubrication_.empty()) {
         const bool iterates = !particles_.load.empty();
         dt_ = sub_step_length(std::min(ahead.contact_step, longest_), dt_, left_, iterates);
-        if (!flies || !fly(ahead, film_step)) take_sub_steps();
+        if (!flies || !take_free_flight(ahead, film_step)) take_sub_steps();
       } else {
         dt_ = std::min({film_step, flies ? ahead.free_time : ahead.contact_step, longest_});
         take_sub_steps();
@@ -69,7 +69,7 @@ class Integration {
       check_finite();
     }
     particles_.write(motions_);
-    state_.contacts = memories_.collect(*state_.neighbours);
+    state_.contacts = histories_.collect(*state_.neighbours);
     for (Orientation& orientation : motions_.orientation) orientation.settle();
     return outcome_;
   }
@@ -79,7 +79,7 @@ class Integration {
   /// holds. It takes the place of whole sub-steps, and moves all as these would, so that the contact it ends
   /// before starts among sub-steps, at a moment that does not depend on how far one flew. False where that is
   /// less than a sub-step.
-  bool fly(const Outlook& ahead, double film_step) {
+  bool take_free_flight(const StepEstimate& ahead, double film_step) {
     const double wanted =
         std::min({whole_sub_steps(ahead.free_time - dt_, dt_, left_), film_step, model_.largest_sub_step});
     const double in_skin = least_under_loads(
@@ -95,7 +95,7 @@ class Integration {
     if (!is_affordable(left_ / duration)) return true;
     forces_stand_ = false;
     contact_forces_.clear();
-    particles_.contact_push.clear();
+    particles_.contact_force.clear();
     sweep({.clear = true});
     load_at(left_ - third * duration);
     move({.kick = 0.5 * duration, .drift = duration});
@@ -111,18 +111,18 @@ class Integration {
   /// and after each sub-step where there are films, whose step follows the gap.
   void take_sub_steps() {
     if (!is_affordable(left_ / dt_)) return;
-    double batch = films_.empty() ? std::max(model_.steps_per_contact, least_batch) : 1;
+    double batch = lubrication_.empty() ? std::max(model_.steps_per_contact, least_batch) : 1;
     batch = std::clamp(std::floor(left_ / dt_ + a_little), 1.0, batch);
     // The last sub-step is shorter, or by a little longer than the others.
     if (left_ - batch * dt_ < a_little * dt_) dt_ = left_ / batch;
     const double at_end = left_ - batch * dt_ < a_little * dt_ ? 0 : left_ - batch * dt_;
-    films_.prepare(0.5 * dt_);
+    lubrication_.prepare(0.5 * dt_);
     if (!forces_stand_) find_forces_at_start();
     const std::uint64_t searches = outcome_.searches;
     load_at(left_ - third * dt_);
     for (double kick = 0.5 * dt_; batch > 0 && outcome_.converged && outcome_.searches == searches; --batch) {
       left_ = at_end + (batch - 1) * dt_;
-      if (!films_.empty()) {
+      if (!lubrication_.empty()) {
         sub_step_with_films();
       } else if (model_.implicit) {
         implicit_sub_step();
@@ -133,7 +133,7 @@ class Integration {
       kick = dt_;
     }
     load_at(left_ + third * dt_);
-    if (films_.empty() && !model_.implicit) sweep({.kick = 0.5 * dt_});
+    if (lubrication_.empty() && !model_.implicit) sweep({.kick = 0.5 * dt_});
   }
 
   /// From the middle of the last sub-step, or with half the `kick` from its end, to the middle of this one.
@@ -149,15 +149,15 @@ class Integration {
     moved_ = farthest_moved(*state_.neighbours, particles_);
     search_ahead();
     TrapezoidalStep step(particles_, motions_.orientation, dt_);
-    const PairMemories memories = memories_;
-    const std::vector<Memory> wall_memories = state_.wall_contacts.memories;
+    const PairHistories histories = histories_;
+    const std::vector<ContactHistory> wall_histories = state_.wall_contacts.histories;
     sweep({.kick = 0.5 * dt_});
     state_.wall_contacts.drift(dt_);
     load_at(left_ + third * dt_);
     for (int k = 0; step.iterate(particles_, motions_.orientation) > agreed || k == 0; ++k) {
       if (k == most_iterations) return stop_unsolved();
-      memories_ = memories;
-      state_.wall_contacts.memories = wall_memories;
+      histories_ = histories;
+      state_.wall_contacts.histories = wall_histories;
       fastest_ = sweep({.clear = true});
       step.set_ends(particles_);
       find_forces(dt_, instant * dt_);
@@ -187,8 +187,8 @@ class Integration {
     damp(particles_.half);
     move({.drift = dt_});
     particles_.write(motions_);
-    films_.place(state_);
-    films_.prepare(0.5 * dt_);
+    lubrication_.place(state_);
+    lubrication_.prepare(0.5 * dt_);
     sweep({.extrapolate = 0.5 * dt_, .clear = true});
     damp(particles_.now);
     find_forces(dt_, dt_);
@@ -241,7 +241,7 @@ class Integration {
     const auto kinetic = [&] { return kinetic_energy(model_.bodies, velocity_now_, spin_now_); };
     const bool counts = meter_ && &motion == &particles_.half;
     if (counts) state_.works.films -= kinetic();
-    films_.damp(velocity_now_, spin_now_);
+    lubrication_.damp(velocity_now_, spin_now_);
     if (counts) state_.works.films += kinetic();
     for (std::size_t k = 0; k < particles_.size(); ++k) {
       motion[k].linear.head<3>() = velocity_now_[particles_.body[k]];
@@ -277,7 +277,7 @@ class Integration {
   void find_forces(double stretch_time, double mean_over) {
     const double reach = dt_ * std::max(fastest_, state_.wall_contacts.speed);
     const SubStep step{stretch_time, mean_over, reach};
-    ContactCount count = add_pair_forces(model_, *state_.neighbours, step, memories_, particles_);
+    ContactCount count = add_pair_forces(model_, *state_.neighbours, step, histories_, particles_);
     add_scene_ordered(step, count);
     if (!inertia_.empty()) inertia_.answer(particles_);
     forces_stand_ = true;
@@ -316,8 +316,8 @@ class Integration {
     add_attractions(model_, state_, forces_, count);
     for (const std::uint32_t k : scene_ordered_) {
       const std::uint32_t i = particles_.body[k];
-      particles_.push[k].linear.head<3>() += forces_.force[i];
-      particles_.push[k].angular.head<3>() += forces_.torque[i];
+      particles_.force[k].linear.head<3>() += forces_.force[i];
+      particles_.force[k].angular.head<3>() += forces_.torque[i];
     }
   }
 
@@ -326,7 +326,7 @@ class Integration {
   }
 
   /// The gap at which surfaces begin to act on each other [m].
-  double reach() const { return std::max(films_.reach(), widest_attraction(model_)); }
+  double reach() const { return std::max(lubrication_.reach(), widest_attraction(model_)); }
 
   Particles begin() {
     if (!state_.neighbours || state_.neighbours->reach < reach()) find_neighbours(model_, reach(), state_);
@@ -337,14 +337,14 @@ class Integration {
     check_finite();
     if (!outcome_.converged) return;
     particles_.write(motions_);
-    state_.contacts = memories_.collect(*state_.neighbours);
+    state_.contacts = histories_.collect(*state_.neighbours);
     std::vector<std::uint32_t> particle(particles_.size());
     for (std::uint32_t k = 0; k < particle.size(); ++k) particle[particles_.body[k]] = k;
     find_neighbours(model_, reach(), state_);
     std::vector<std::uint32_t> order = state_.neighbours->order;
     for (std::uint32_t& k : order) k = particle[k];
     particles_.reorder(order);
-    memories_ = {state_.contacts, *state_.neighbours, model_.laws.resists_turning()};
+    histories_ = {state_.contacts, *state_.neighbours, model_.laws.resists_turning()};
     ++outcome_.searches;
     note_search();
   }
@@ -388,9 +388,9 @@ class Integration {
   double duration_;  ///< [s] of the step
   State& state_;
   Motions& motions_;
-  Films films_;
+  LubricationForces lubrication_;
   Particles particles_;
-  PairMemories memories_;
+  PairHistories histories_;
   std::vector<std::uint32_t> scene_ordered_;  ///< particles near walls; all where something acts through gaps
   std::vector<Vec3> velocity_now_, spin_now_;
   Forces forces_;                             ///< on these

@@ -1,6 +1,6 @@
 /// Advances a state in time by velocity Verlet (symplectic, order 2): a constant force gives v + aΔt and
-/// x + vΔt + ½aΔt². Films of liquid, which may be stiff, take their half of each half kick implicitly.
-/// Flights and sub-steps follow each other as the outlook demands.
+/// x + vΔt + ½aΔt². Films of liquid, which may be stiff, take their half of each half kick
+/// implicitly. Flights and sub-steps follow each other as the estimate demands.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ struct Advanced {
 };
 
 /// Advances `state` by `duration` [s] under `loads`, weight included. Bodies
-/// that are not free keep their velocities and spins; `resolved_gaps` as of Films. What acts between bodies
-/// moves them with `inertia`. A pure function of its arguments, bitwise.
+/// that are not free keep their velocities and spins; `resolved_gaps` as of LubricationForces. What acts
+/// between bodies moves them with `inertia`. A pure function of its arguments, bitwise.
 Advanced integrate(const Model& model, const Loads& loads, const SharedInertia& inertia,
                    std::span<const double> resolved_gaps, double duration, State& state);
 

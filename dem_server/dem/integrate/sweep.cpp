@@ -1,14 +1,14 @@
 #include "dem/integrate/sweep.hpp"
 
 #include "core/parallel.hpp"
-#include "dem/base/triple.hpp"
+#include "dem/base/lane_vectors.hpp"
 
 namespace fpi::dem {
 namespace {
 
 constexpr std::size_t chunk = 2048;  ///< bodies that one thread takes at once
 
-Triple load_triple(const Record* four) {
+LaneVector3 load_vector(const Record* four) {
   Lanes x = load(four[0].data()), y = load(four[1].data()), z = load(four[2].data()),
         w = load(four[3].data());
   transpose(x, y, z, w);
@@ -19,7 +19,7 @@ Triple load_triple(const Record* four) {
 void turn(Particles& particles, std::size_t first, double duration, std::vector<Orientation>& orientation) {
   Record spins[n_lanes];
   for (std::size_t k = 0; k < n_lanes; ++k) spins[k] = particles.half[first + k].angular;
-  const Triple theta = duration * load_triple(spins), since = load_triple(&particles.turned[first]);
+  const LaneVector3 theta = duration * load_vector(spins), since = load_vector(&particles.turned[first]);
   const Lanes half_squared = 0.25 * theta.dot(theta);
   if (!holds_everywhere((half_squared < 1e-4) & (since.dot(since) < 1))) {
     const std::size_t last = std::min(first + n_lanes, particles.size());
@@ -31,8 +31,9 @@ void turn(Particles& particles, std::size_t first, double duration, std::vector<
     }
     return;
   }
-  const Triple increment = rescaling_of_small(half_squared) * theta;
-  const Triple turned = 4 / (4 - since.dot(increment)) * (since + increment - 0.5 * since.cross(increment));
+  const LaneVector3 increment = rescaling_of_small(half_squared) * theta;
+  const LaneVector3 turned =
+      4 / (4 - since.dot(increment)) * (since + increment - 0.5 * since.cross(increment));
   Lanes x = turned.x, y = turned.y, z = turned.z, w{};
   transpose(x, y, z, w);
   store(x, particles.turned[first].data());
@@ -49,12 +50,12 @@ Lanes sweep_chunk(const Sweep& sweep, std::size_t first, std::size_t last, Parti
   const Lanes gravity = load(particles.gravity.data());
   Lanes fastest{};
   for (std::size_t i = first; i < last; ++i) {
-    Twin &half = particles.half[i], &push = particles.push[i], &now = particles.now[i];
+    Twin &half = particles.half[i], &force = particles.force[i], &now = particles.now[i];
     const Lanes acceleration =
-        half.linear[3] * load(push.linear.data()) + (loaded ? load(particles.load[i].linear.data())
-                                                     : half.linear[3] > 0 ? gravity
-                                                                          : Lanes{});
-    const Lanes turning = half.angular[3] * load(push.angular.data()) +
+        half.linear[3] * load(force.linear.data()) + (loaded ? load(particles.load[i].linear.data())
+                                                      : half.linear[3] > 0 ? gravity
+                                                                           : Lanes{});
+    const Lanes turning = half.angular[3] * load(force.angular.data()) +
                           (loaded ? load(particles.load[i].angular.data()) : Lanes{});
     const Lanes velocity = load(half.linear.data()) + sweep.kick * acceleration;
     const Lanes spin = load(half.angular.data()) + sweep.kick * turning;
@@ -66,7 +67,7 @@ Lanes sweep_chunk(const Sweep& sweep, std::size_t first, std::size_t last, Parti
     store(place, particles.place[i].data());
     store(velocity + sweep.extrapolate * acceleration, now.linear.data());
     store(spin_now, now.angular.data());
-    if (sweep.clear) push = {};
+    if (sweep.clear) force = {};
     fastest = max(fastest, abs(velocity));
   }
   if (sweep.drift == 0) return fastest;

@@ -9,11 +9,11 @@ namespace {
 
 /// `velocity` after a kick of `duration` [s] by the forces that stand.
 Twin kicked(const Particles& particles, std::size_t k, const Twin& velocity, double duration) {
-  const Twin &half = particles.half[k], &push = particles.push[k];
-  Record turning = half.angular[3] * push.angular;
+  const Twin &half = particles.half[k], &force = particles.force[k];
+  Record turning = half.angular[3] * force.angular;
   if (!particles.load.empty()) turning += particles.load[k].angular;
   Twin after;
-  after.linear = velocity.linear + duration * (half.linear[3] * push.linear + particles.acceleration(k));
+  after.linear = velocity.linear + duration * (half.linear[3] * force.linear + particles.acceleration(k));
   after.angular = velocity.angular + duration * turning;
   return after;
 }

@@ -41,7 +41,8 @@ Resistance sphere_film(double viscosity, const GapShape& shape, double gap) {
           1.2 * unit * log};
 }
 
-Resistance unresolved(FilmLaw law, double viscosity, const GapShape& shape, double gap, double resolved) {
+Resistance unresolved(LubricationFilm law, double viscosity, const GapShape& shape, double gap,
+                      double resolved) {
   if (gap >= (resolved > 0 ? resolved : shape.radius)) return {};
   const MeshViews& views = std::isinf(shape.sum) ? beside_wall : between_discs;
   const auto seen = [&](const MeshView& view) {

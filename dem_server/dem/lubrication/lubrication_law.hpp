@@ -28,11 +28,12 @@ Resistance disc_film(double viscosity, const GapShape& shape, double gap);
 /// 2π μ R_eff ln 1/ε, 6/5 π μ R_eff ln 1/ε. `viscosity` μ [Pa s]. Errors O(1) beside 1/ε and ln 1/ε.
 Resistance sphere_film(double viscosity, const GapShape& shape, double gap);
 
-using FilmLaw = Resistance (*)(double viscosity, const GapShape& shape, double gap);
+using LubricationFilm = Resistance (*)(double viscosity, const GapShape& shape, double gap);
 
 /// What a mesh that resolves gaps from `resolved` [m] on does not see of a film, none at wider gaps. At
 /// narrower ones it resists as the film does at a wider gap, gap + s · resolved (1 − gap/resolved)^m: s and m
 /// were measured on our fluid (docs/numerics.md). Without a mesh, `resolved` = 0, films fade out at R_eff.
-Resistance unresolved(FilmLaw law, double viscosity, const GapShape& shape, double gap, double resolved);
+Resistance unresolved(LubricationFilm law, double viscosity, const GapShape& shape, double gap,
+                      double resolved);
 
 }  // namespace fpi::dem

@@ -15,19 +15,19 @@ SharedInertia::SharedInertia(std::vector<std::uint32_t> bodies, Matrix matrix)
 void SharedInertia::answer(Particles& particles) const {
   Vector forces = Vector::Zero(n_rows());
   for (std::size_t k = 0; k < particles.size(); ++k) {
-    const Twin& push = particles.push[k];
+    const Twin& force = particles.force[k];
     if (const Eigen::Index at = row(particles.body[k]); at >= 0)
-      forces.segment<3>(at) << push.linear.head<2>(), push.angular[2];
+      forces.segment<3>(at) << force.linear.head<2>(), force.angular[2];
   }
-  if (forces.isZero(0)) return particles.contact_push.clear();
-  particles.contact_push = particles.push;
+  if (forces.isZero(0)) return particles.contact_force.clear();
+  particles.contact_force = particles.force;
   const Vector together = accelerations(forces);
   for (std::size_t k = 0; k < particles.size(); ++k) {
     const Eigen::Index at = row(particles.body[k]);
     if (at < 0) continue;
     const double w = particles.half[k].linear[3], w_turning = particles.half[k].angular[3];
-    particles.push[k].linear.head<2>() = together.segment<2>(at) / w;
-    particles.push[k].angular[2] = w_turning > 0 ? together[at + 2] / w_turning : 0;
+    particles.force[k].linear.head<2>() = together.segment<2>(at) / w;
+    particles.force[k].angular[2] = w_turning > 0 ? together[at + 2] / w_turning : 0;
   }
 }
 

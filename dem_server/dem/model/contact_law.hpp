@@ -245,7 +245,7 @@ Real share_within(Real limit, const Vector& force) {
 }
 
 /// Force or moment of a spring and dashpot with a limit. Past the limit the spring slips: `stretch` is
-/// shortened to what the limit carries. The dashpot has no memory, or fast sliding would wind the spring up
+/// shortened to what the limit carries. The dashpot has no history, or fast sliding would wind the spring up
 /// against it and end below the limit.
 template <class Real, class Vector>
 Vector stick_slip(const SpringOf<Real>& spring, Real limit, const Vector& rate, Vector& stretch) {

@@ -1,4 +1,4 @@
-/// Places that may touch, each with the memory of its contact (springs), which stays with it through
+/// Places that may touch, each with the history of its contact (springs), which stays with it through
 /// searches, rollback and checkpoints.
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace fpi::dem {
 
 /// What a contact remembers; zero while it does not touch.
-struct Memory {
+struct ContactHistory {
   Vec3 slip = Vec3::Zero();  ///< n × stretch of the tangential spring [m]: the same seen from either side
   Vec3 roll = Vec3::Zero();  ///< stretch of the rolling spring [rad]
   double twist = 0;          ///< stretch of the spring about the normal [rad]
@@ -22,19 +22,19 @@ struct Memory {
 /// `Place` says who touches whom.
 template <class Place>
 struct ContactList {
-  std::vector<Place> places;     ///< who
-  std::vector<Memory> memories;  ///< of each place
+  std::vector<Place> places;              ///< who
+  std::vector<ContactHistory> histories;  ///< of each place
 
-  /// Takes up what a search found; memories stay with their places.
+  /// Takes up what a search found; histories stay with their places.
   void replace(std::vector<Place> found) {
-    std::vector<Memory> carried(found.size());
+    std::vector<ContactHistory> carried(found.size());
     std::size_t old = 0;
     for (std::size_t p = 0; p < found.size(); ++p) {
       while (old < places.size() && places[old] < found[p]) ++old;
-      if (old < places.size() && places[old] == found[p]) carried[p] = memories[old];
+      if (old < places.size() && places[old] == found[p]) carried[p] = histories[old];
     }
     places = std::move(found);
-    memories = std::move(carried);
+    histories = std::move(carried);
   }
 
   void sort() {
@@ -44,27 +44,27 @@ struct ContactList {
     ContactList sorted;
     for (const std::size_t p : order) {
       sorted.places.push_back(places[p]);
-      sorted.memories.push_back(memories[p]);
+      sorted.histories.push_back(histories[p]);
     }
     *this = std::move(sorted);
   }
 
-  /// Keeps only places with a memory: what a resumed run starts from.
+  /// Keeps only places with a history: what a resumed run starts from.
   void keep_remembered() {
-    keep([](const Place&, const Memory& memory) { return !memory.empty(); });
+    keep([](const Place&, const ContactHistory& history) { return !history.empty(); });
   }
 
-  /// Keeps only the places for which wanted(place, memory).
+  /// Keeps only the places for which wanted(place, history).
   template <class Wanted>
   void keep(Wanted wanted) {
     std::size_t kept = 0;
     for (std::size_t p = 0; p < places.size(); ++p) {
-      if (!wanted(places[p], memories[p])) continue;
+      if (!wanted(places[p], histories[p])) continue;
       places[kept] = places[p];
-      memories[kept++] = memories[p];
+      histories[kept++] = histories[p];
     }
     places.resize(kept);
-    memories.resize(kept);
+    histories.resize(kept);
   }
 };
 

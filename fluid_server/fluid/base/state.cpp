@@ -22,7 +22,7 @@ Vector read_vector(ByteReader& read, Eigen::Index size) {
 State State::at_rest(Index n_nodes, Index n_vertices) {
   State state;
   state.u = Vector::Zero(2 * static_cast<Eigen::Index>(n_nodes));
-  state.acceleration = state.previous_u = state.previous_acceleration = state.drift = state.u;
+  state.acceleration = state.previous_u = state.previous_acceleration = state.mesh_velocity = state.u;
   state.p = Vector::Zero(n_vertices);
   return state;
 }
@@ -50,7 +50,7 @@ std::vector<std::uint8_t> to_bytes(const State& state) {
   write.put(view(state.previous_u));
   write.put(static_cast<std::uint8_t>(state.has_previous_acceleration));
   write.put(view(state.previous_acceleration));
-  write.put(view(state.drift));
+  write.put(view(state.mesh_velocity));
   write.put(static_cast<std::uint64_t>(state.places.size()));
   for (const BodyPlace& place : state.places) {
     write.put(static_cast<std::int64_t>(place.body));
@@ -88,7 +88,7 @@ State from_bytes(std::span<const std::uint8_t> bytes, Index n_nodes, Index n_ver
   state.previous_u = read_vector(read, 2 * n_nodes);
   state.has_previous_acceleration = read.get<std::uint8_t>() != 0;
   state.previous_acceleration = read_vector(read, 2 * n_nodes);
-  state.drift = read_vector(read, 2 * n_nodes);
+  state.mesh_velocity = read_vector(read, 2 * n_nodes);
   const auto n_places = read.get<std::uint64_t>();
   require(n_places <= read.left() / bytes_a_body,
           "the fluid's state holds fewer places of bodies than the {} it names: take another checkpoint",

@@ -10,7 +10,7 @@
 
 namespace fpi::fluid {
 
-/// Where the outline of a body is: its centroid, and for a polygon the angle under which its first corner is
+/// Where the surface of a body is: its centroid, and for a polygon the angle under which its first corner is
 /// seen from there.
 struct BodyPlace {
   Index body;
@@ -39,7 +39,7 @@ struct State {
   Vector previous_u;         ///< at its start [m/s]
   bool has_previous_acceleration = false;
   Vector previous_acceleration;   ///< at its start [m/s²]
-  Vector drift;                   ///< mean velocity of each node's path over it [m/s], see motion.hpp
+  Vector mesh_velocity;           ///< mean velocity of each node's path over it [m/s], see motion.hpp
   std::vector<BodyPlace> places;  ///< of the bodies
   std::vector<MeanLoad> loads;    ///< on them, over the step that led here
   /// Area [m²] and ∫u [m³/s], x and y, of the fluid in each cell, here and at the start of the step that led

@@ -8,8 +8,8 @@ namespace fpi::fluid {
 namespace {
 
 /// True where bodies cover the whole edge, so that no fluid passes.
-bool is_blocked(const Mesh& mesh, Index edge, std::span<const Outline> outlines) {
-  return uncovered(mesh.vertices[mesh.edges[edge][0]], mesh.vertices[mesh.edges[edge][1]], outlines).empty();
+bool is_blocked(const Mesh& mesh, Index edge, std::span<const Surface> surfaces) {
+  return uncovered(mesh.vertices[mesh.edges[edge][0]], mesh.vertices[mesh.edges[edge][1]], surfaces).empty();
 }
 
 /// The part of each active cell that is in the fluid.
@@ -22,7 +22,7 @@ std::vector<double> fluid_shares(const Mesh& mesh, const CutMesh& cut) {
 }  // namespace
 
 Components find_components(const Mesh& mesh, const CutMesh& cut) {
-  const std::vector<Outline> bodies = outlines(cut.images);
+  const std::vector<Surface> bodies = surfaces(cut.images);
   DisjointSets parts(mesh.n_cells());
   for (Index e = 0; e < mesh.n_edges(); ++e) {
     const auto [c1, c2] = mesh.edge_cells[e];

@@ -163,21 +163,21 @@ void cut(const Corners& c, std::span<const Disc> discs, int depth, std::vector<P
 
 }  // namespace
 
-Position position(const Corners& c, const Outline& outline) {
-  const Polygon* polygon = outline.polygon();
-  if (!polygon) return position(c, *outline.disc());
+Position position(const Corners& c, const Surface& surface) {
+  const Polygon* polygon = surface.polygon();
+  if (!polygon) return position(c, *surface.disc());
   for (int k = 0; k < polygon->size(); ++k)
-    if (passes(polygon->side(k), c, -2 * outline.hair())) return Position::cut;
+    if (passes(polygon->side(k), c, -2 * surface.tolerance())) return Position::cut;
   return polygon->contains((c[0] + c[1] + c[2]) / 3) ? Position::inside : Position::outside;
 }
 
-void cut_quadrature(const Corners& triangle, std::span<const Outline* const> outlines,
+void cut_quadrature(const Corners& triangle, std::span<const Surface* const> surfaces,
                     std::vector<PlanePoint>& points) {
   std::vector<Disc> discs;
   std::vector<const Polygon*> polygons;
-  for (const Outline* outline : outlines) {
-    if (outline->disc()) discs.push_back(*outline->disc());
-    if (outline->polygon()) polygons.push_back(outline->polygon());
+  for (const Surface* surface : surfaces) {
+    if (surface->disc()) discs.push_back(*surface->disc());
+    if (surface->polygon()) polygons.push_back(surface->polygon());
   }
   if (polygons.empty()) return cut(triangle, discs, 0, points);
   for (const Convex& piece : outside(triangle, polygons))

@@ -17,12 +17,12 @@ struct Meeting {
   auto operator<=>(const Meeting&) const = default;
 };
 
-/// Every cell that an outline cuts or touches, with its images, sorted; solid cells are marked on the way.
+/// Every cell that a surface cuts or touches, with its images, sorted; solid cells are marked on the way.
 std::vector<Meeting> classify(std::span<const Image> images, std::vector<CellState>& state) {
   std::vector<Meeting> meetings;
   for (Index i = 0; i < static_cast<Index>(images.size()); ++i) {
-    for (const Index c : images[i].footprint->inside) state[c] = CellState::solid;
-    for (const Index c : images[i].footprint->cut) meetings.push_back({c, i});
+    for (const Index c : images[i].intersected_cells->inside) state[c] = CellState::solid;
+    for (const Index c : images[i].intersected_cells->cut) meetings.push_back({c, i});
   }
   std::erase_if(meetings, [&](const Meeting& m) { return state[m.cell] == CellState::solid; });
   std::sort(meetings.begin(), meetings.end());
@@ -30,39 +30,39 @@ std::vector<Meeting> classify(std::span<const Image> images, std::vector<CellSta
   return meetings;
 }
 
-std::vector<ElementPoint> element_points(const Triangle& triangle, std::span<const Outline* const> outlines) {
+std::vector<ElementPoint> element_points(const Triangle& triangle, std::span<const Surface* const> surfaces) {
   std::vector<PlanePoint> plane;
-  cut_quadrature(triangle.corner, outlines, plane);
+  cut_quadrature(triangle.corner, surfaces, plane);
   std::vector<ElementPoint> points;
   points.reserve(plane.size());
   for (const PlanePoint& p : plane) points.push_back({shape_at(triangle.barycentric(p.x)), p.weight});
   return points;
 }
 
-/// Appends the stretches of one of the outlines at a cell. The cell's edges are taken in their own direction,
+/// Appends the stretches of one of the surfaces at a cell. The cell's edges are taken in their own direction,
 /// so that both neighbours split at the same places to the bit.
-void add_stretches(const Mesh& mesh, Index cell, std::span<const Outline* const> outlines, Index own,
+void add_stretches(const Mesh& mesh, Index cell, std::span<const Surface* const> surfaces, Index own,
                    std::vector<CutCell::Stretch>& out) {
-  const Outline& outline = *outlines[own];
-  std::vector<const Outline*> others(outlines.begin(), outlines.end());
+  const Surface& surface = *surfaces[own];
+  std::vector<const Surface*> others(surfaces.begin(), surfaces.end());
   others.erase(others.begin() + own);
   std::vector<double> splits;
   for (Index e : mesh.cell_edges[cell])
-    outline.add_crossings(mesh.vertices[mesh.edges[e][0]], mesh.vertices[mesh.edges[e][1]], splits);
-  for (const Outline* other : others) outline.add_crossings(*other, splits);
-  for (int corner = 0; corner < outline.n_corners(); ++corner) splits.push_back(corner);
+    surface.add_crossings(mesh.vertices[mesh.edges[e][0]], mesh.vertices[mesh.edges[e][1]], splits);
+  for (const Surface* other : others) surface.add_crossings(*other, splits);
+  for (int corner = 0; corner < surface.n_corners(); ++corner) splits.push_back(corner);
   std::sort(splits.begin(), splits.end());
   if (splits.empty()) splits.push_back(0);
-  splits.push_back(splits.front() + outline.period());
+  splits.push_back(splits.front() + surface.period());
 
   const Triangle triangle(mesh.corners(cell));
   for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
     if (splits[i + 1] - splits[i] < shortest) continue;
-    const Vec2 place = outline.beside(0.5 * (splits[i] + splits[i + 1]));
+    const Vec2 place = surface.beside(0.5 * (splits[i] + splits[i + 1]));
     const auto l = triangle.barycentric(place);
     const bool in_cell = std::min({l[0], l[1], l[2]}) > 0;
     const bool in_fluid = std::none_of(others.begin(), others.end(),
-                                       [&](const Outline* other) { return other->contains(place); });
+                                       [&](const Surface* other) { return other->contains(place); });
     if (in_cell && in_fluid) out.push_back({own, splits[i], splits[i + 1]});
   }
 }
@@ -70,9 +70,9 @@ void add_stretches(const Mesh& mesh, Index cell, std::span<const Outline* const>
 /// Cuts a stretch at the ends of the arcs and appends the pieces.
 void add_pieces(const Interface& interface, const Image& image, Index cell, const CutCell::Stretch& stretch,
                 CutMesh& out) {
-  const double period = interface.outline.period();
+  const double period = interface.surface.period();
   for (Index a = 0; a < interface.n_arcs(); ++a) {
-    const auto [left, right] = out.knots[image.interface].values(a);
+    const auto [left, right] = out.multiplier_nodes[image.interface].values(a);
     const Index first = out.first_multiplier[image.interface];
     const double arc_start = interface.start[a], arc_end = interface.end[a];
     const double first_turn = std::floor((arc_start - stretch.end) / period);
@@ -86,17 +86,17 @@ void add_pieces(const Interface& interface, const Image& image, Index cell, cons
   }
 }
 
-std::shared_ptr<const CutCell> cut_cell(const Mesh& mesh, Index cell,
-                                        std::vector<std::shared_ptr<const Footprint>> footprints) {
-  std::vector<const Outline*> outlines;
-  for (const auto& footprint : footprints) outlines.push_back(&footprint->outline);
+std::shared_ptr<const CutCell> cut_cell(
+    const Mesh& mesh, Index cell, std::vector<std::shared_ptr<const IntersectedCells>> intersected_cells_of) {
+  std::vector<const Surface*> surfaces;
+  for (const auto& intersected_cells : intersected_cells_of) surfaces.push_back(&intersected_cells->surface);
   const Triangle triangle(mesh.corners(cell));
-  auto cut = std::make_shared<CutCell>(
-      CutCell{cell, std::move(footprints), {}, element_points(triangle, outlines), metric_of(triangle), 0});
+  auto cut = std::make_shared<CutCell>(CutCell{
+      cell, std::move(intersected_cells_of), {}, element_points(triangle, surfaces), metric_of(triangle), 0});
   cut->metric.area = 1;
   for (const ElementPoint& point : cut->points) cut->share += point.weight / triangle.area;
-  for (Index own = 0; own < static_cast<Index>(outlines.size()); ++own)
-    add_stretches(mesh, cell, outlines, own, cut->stretches);
+  for (Index own = 0; own < static_cast<Index>(surfaces.size()); ++own)
+    add_stretches(mesh, cell, surfaces, own, cut->stretches);
   return cut;
 }
 
@@ -133,10 +133,12 @@ void cut_cells(const Mesh& mesh, std::span<const Interface> interfaces, const Cu
   for (auto it = meetings.begin(); it != meetings.end();) {
     const Index cell = it->cell;
     const auto end = std::find_if(it, meetings.end(), [&](const Meeting& m) { return m.cell != cell; });
-    std::vector<std::shared_ptr<const Footprint>> footprints;
-    for (const Meeting& m : std::span(it, end)) footprints.push_back(out.images[m.image].footprint);
+    std::vector<std::shared_ptr<const IntersectedCells>> intersected_cells_of;
+    for (const Meeting& m : std::span(it, end))
+      intersected_cells_of.push_back(out.images[m.image].intersected_cells);
     auto cut = find(before.cut_cells, &CutCell::cell, cell);
-    if (!cut || cut->footprints != footprints) cut = cut_cell(mesh, cell, std::move(footprints));
+    if (!cut || cut->intersected_cells_of != intersected_cells_of)
+      cut = cut_cell(mesh, cell, std::move(intersected_cells_of));
     add_cell(std::move(cut), {it, end}, interfaces, out);
     it = end;
   }
@@ -159,7 +161,7 @@ void collect_ghost_faces(const Mesh& mesh, const CutMesh& before, CutMesh& out) 
 
 void collect_covered_nodes(CutMesh& out) {
   for (const Image& image : out.images)
-    for (const Index node : image.footprint->covered)
+    for (const Index node : image.intersected_cells->covered)
       out.covered.push_back({node, image.interface, image.shift});
   const auto by_node = [](const CoveredNode& a, const CoveredNode& b) { return a.node < b.node; };
   std::stable_sort(out.covered.begin(), out.covered.end(), by_node);
@@ -173,9 +175,9 @@ void measure_multipliers(std::span<const Interface> interfaces, CutMesh& cut) {
   cut.active_length.assign(cut.n_multipliers(), 0);
   for (const ArcPiece& piece : cut.pieces) {
     const Interface& interface = interfaces[piece.interface];
-    const auto hats = cut.knots[piece.interface].hats(piece.arc, 0.5 * (piece.start + piece.end));
+    const auto hats = cut.multiplier_nodes[piece.interface].hats(piece.arc, 0.5 * (piece.start + piece.end));
     for (int k = 0; k < 2; ++k)
-      cut.active_length[piece.multipliers[k]] += hats[k] * interface.outline.length(piece.start, piece.end);
+      cut.active_length[piece.multipliers[k]] += hats[k] * interface.surface.length(piece.start, piece.end);
   }
 }
 
@@ -186,11 +188,11 @@ CutMesh cut_mesh(const Mesh& mesh, const Locator& locator, std::span<const Inter
   out.state.assign(mesh.n_cells(), CellState::fluid);
   out.first_multiplier.push_back(0);
   for (const Interface& interface : interfaces) {
-    out.knots.emplace_back(interface, [&](const Vec2& x) {
+    out.multiplier_nodes.emplace_back(interface, [&](const Vec2& x) {
       const auto place = locator.find(x);
       return place ? mesh.size(place->cell) : 0;
     });
-    out.first_multiplier.push_back(out.first_multiplier.back() + out.knots.back().size());
+    out.first_multiplier.push_back(out.first_multiplier.back() + out.multiplier_nodes.back().size());
   }
   cut_cells(mesh, interfaces, before, out);
   measure_multipliers(interfaces, out);

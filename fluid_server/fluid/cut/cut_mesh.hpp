@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "fluid/base/element.hpp"
-#include "fluid/cut/footprint.hpp"
 #include "fluid/cut/ghost_penalty.hpp"
-#include "fluid/cut/knots.hpp"
+#include "fluid/cut/intersected_cells.hpp"
+#include "fluid/cut/multiplier_nodes.hpp"
 
 namespace fpi::fluid {
 
@@ -23,19 +23,19 @@ struct ArcPiece {
   Index interface;                   ///< index in the list of interfaces
   Index arc;                         ///< number of the arc on its body
   std::array<Index, 2> multipliers;  ///< of the arc, numbered through all interfaces
-  double start, end;                 ///< parameters of the outline
+  double start, end;                 ///< parameters of the surface
   Vec2 shift;                        ///< of the image that lies in the element [m]
 };
 
 /// What bodies leave of one cell, the same as long as none of them moves.
 struct CutCell {
-  /// A part of an outline inside the cell and outside all other bodies.
+  /// A part of a surface inside the cell and outside all other bodies.
   struct Stretch {
-    Index own;          ///< whose it is, of the footprints
-    double start, end;  ///< parameters of the outline
+    Index own;          ///< whose it is, of intersected_cells_of
+    double start, end;  ///< parameters of the surface
   };
   Index cell;
-  std::vector<std::shared_ptr<const Footprint>> footprints;  ///< of the bodies that cut it
+  std::vector<std::shared_ptr<const IntersectedCells>> intersected_cells_of;  ///< of the bodies that cut it
   std::vector<Stretch> stretches;
   std::vector<ElementPoint> points;  ///< over the fluid part; weights in m²
   Metric<double> metric;             ///< of the straight element, its area 1 m²: weights have it already
@@ -56,10 +56,10 @@ struct CutMesh {
   std::vector<ArcPiece> pieces;
   /// Of the edges between two active cells of which one is cut, ascending.
   std::vector<std::shared_ptr<const GhostFace>> ghost_faces;
-  std::vector<CoveredNode> covered;     ///< nodes inside a body
-  std::vector<Knots> knots;             ///< of each interface
-  std::vector<Index> first_multiplier;  ///< of each interface; one more entry at the end
-  std::vector<double> active_length;    ///< ∫ of each multiplier's function in the fluid [m]
+  std::vector<CoveredNode> covered;               ///< nodes inside a body
+  std::vector<MultiplierNodes> multiplier_nodes;  ///< of each interface
+  std::vector<Index> first_multiplier;            ///< of each interface; one more entry at the end
+  std::vector<double> active_length;              ///< ∫ of each multiplier's function in the fluid [m]
 
   bool is_active(Index cell) const { return state[cell] != CellState::solid; }
   Index n_multipliers() const { return first_multiplier.back(); }

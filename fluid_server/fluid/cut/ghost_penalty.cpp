@@ -61,11 +61,11 @@ GhostFace ghost_face(const Mesh& mesh, Index edge) {
   return face;
 }
 
-GhostInertia ghost_inertia(const GhostFace& face, const Vector& drift, double inertia) {
+GhostInertia ghost_inertia(const GhostFace& face, const Vector& mesh_velocity, double inertia) {
   constexpr double passing = 3;  // rate over speed/h, measured: less is noisier, more less exact
   double speed = 0;
-  if (drift.size() > 0)
-    for (const Index node : face.nodes) speed = std::max(speed, drift.segment<2>(2 * node).norm());
+  if (mesh_velocity.size() > 0)
+    for (const Index node : face.nodes) speed = std::max(speed, mesh_velocity.segment<2>(2 * node).norm());
   if (speed == 0) return {true, inertia};
   return {false, std::min(inertia, passing * speed / std::sqrt(face.h2))};
 }

@@ -28,8 +28,8 @@ struct GhostInertia {
   double rate;  ///< ∂/∂u of what it acts on [1/s]
 };
 
-/// With the velocity at which nodes drift with bodies (x, y of each [m/s]; empty: all stay) and the inertia
-/// of the time scheme [1/s].
-GhostInertia ghost_inertia(const GhostFace& face, const Vector& drift, double inertia);
+/// With the velocity at which nodes move with bodies (x, y of each [m/s]; empty: all stay) and the
+/// inertia of the time scheme [1/s].
+GhostInertia ghost_inertia(const GhostFace& face, const Vector& mesh_velocity, double inertia);
 
 }  // namespace fpi::fluid

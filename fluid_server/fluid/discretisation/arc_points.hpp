@@ -1,4 +1,4 @@
-/// The quadrature along a piece of an outline inside one element.
+/// The quadrature along a piece of a surface inside one element.
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 namespace fpi::fluid {
 
 struct ArcPoint {
-  double parameter;  ///< of the outline
+  double parameter;  ///< of the surface
   Vec2 x;            ///< on the body itself, not on the image that lies in the element [m]
   Padded shape;      ///< functions of the element's nodes there
   double weight;     ///< [m]
 };
 
-/// Gauss–Legendre points of a piece of `interface`'s outline.
+/// Gauss–Legendre points of a piece of `interface`'s surface.
 std::array<ArcPoint, 4> arc_points(const Space& space, const Interface& interface, const ArcPiece& piece);
 
 }  // namespace fpi::fluid

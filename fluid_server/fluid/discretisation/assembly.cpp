@@ -22,8 +22,8 @@ void take_values(const Mesh& mesh, Index cell, const Fields& fields, const TimeT
     part(state.uy[i], lane) = fields.u[2 * n + 1];
     part(state.ax[i], lane) = follows ? time.inertia * fields.u[2 * n] : acceleration[2 * n];
     part(state.ay[i], lane) = follows ? time.inertia * fields.u[2 * n + 1] : acceleration[2 * n + 1];
-    part(state.wx[i], lane) = time.moves() ? time.drift[2 * n] : 0;
-    part(state.wy[i], lane) = time.moves() ? time.drift[2 * n + 1] : 0;
+    part(state.wx[i], lane) = time.moves() ? time.mesh_velocity[2 * n] : 0;
+    part(state.wy[i], lane) = time.moves() ? time.mesh_velocity[2 * n + 1] : 0;
   }
   for (int k = 0; k < 3; ++k) part(state.p[k], lane) = fields.p[vertices[k]];
 }
@@ -60,7 +60,7 @@ Residual System::assemble(const Flow& flow, const Fields& fields, const TimeTerm
   return residual;
 }
 
-/// Even stripes, then odd ones: two of the same kind share nothing.
+/// Even colours, then odd ones: two of the same kind share nothing.
 void System::assemble_cells(const Assembly& what) {
   const int n = static_cast<int>(stretches_.size());
   for (const int first : {0, 1}) {
@@ -127,7 +127,7 @@ void System::assemble_ghost(const Flow& flow, const Fields& fields, const TimeTe
     const GhostFace& face = *shared;
     const double viscous = embedding_.ghost_viscous * mu / face.h2;
     const double pressure = -embedding_.ghost_pressure / mu;  // the continuity equation carries −s_p
-    const auto [of_acceleration, rate] = ghost_inertia(face, time.drift, time.inertia);
+    const auto [of_acceleration, rate] = ghost_inertia(face, time.mesh_velocity, time.inertia);
     const double inertial = embedding_.ghost_inertia * rho;
     Eigen::Matrix<double, 9, 2> z;
     for (int i = 0; i < 9; ++i)

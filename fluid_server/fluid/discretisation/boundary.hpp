@@ -16,7 +16,7 @@ namespace fpi::fluid {
 
 /// What keeps the fluid from the boundary: bodies, and parts of the fluid that are left out.
 struct Cover {
-  std::span<const Outline> bodies;
+  std::span<const Surface> bodies;
   /// Of each Mesh::boundary, see Components::of_boundary; empty: all of it is beside fluid.
   std::span<const Index> part;
   bool hides(std::size_t edge) const { return !part.empty() && part[edge] < 0; }

@@ -29,7 +29,7 @@ FreeBodies::FreeBodies(const std::vector<Interface>& interfaces, const CutMesh& 
     if (!interfaces[i].balance) continue;
     interfaces_.push_back(i);
     const Index first = cut.first_multiplier[i];
-    for (Index m = first; m < first + cut.knots[i].size(); ++m) {
+    for (Index m = first; m < first + cut.multiplier_nodes[i].size(); ++m) {
       if (numbering.multiplier[2 * m] < 0) continue;
       place_[m] = static_cast<Index>(multipliers_.size());
       multipliers_.push_back({m, i});

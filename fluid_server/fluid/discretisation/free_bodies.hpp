@@ -26,7 +26,7 @@ class FreeBodies {
 
   /// Forgets the integrals of all multipliers.
   void clear_integrals();
-  /// Adds a piece of outline to those of multiplier m: ∫φ [m] and ∫φ (x − c) [m²].
+  /// Adds a piece of surface to those of multiplier m: ∫φ [m] and ∫φ (x − c) [m²].
   void add_integrals(Index m, double length, const Vec2& arm);
 
   /// Adds what the bodies make of no slip, and their balances, with `rigid` = (Vx, Vy, ω) of each interface

@@ -48,7 +48,7 @@ class Zone {
   void add_cut_cells(const Layout& layout, const std::vector<std::uint8_t>& of_interface) {
     for (const Image& image : layout.cut.images)
       if (of_interface[image.interface])
-        for (const Index cell : image.footprint->cut) add_cell(cell);
+        for (const Index cell : image.intersected_cells->cut) add_cell(cell);
   }
   /// By the cells that have a vertex in it.
   void grow() {
@@ -76,8 +76,8 @@ void add_nodes_of_other_penalty(const Layout& before, const Layout& after, Zone&
     while (old != before.cut.ghost_faces.end() && (*old)->edge < face->edge) ++old;
     if (old == before.cut.ghost_faces.end()) return;
     if ((*old)->edge != face->edge) continue;
-    const double share = ghost_inertia(*face, after.drift, after.inertia).rate / after.inertia,
-                 old_share = ghost_inertia(*face, before.drift, before.inertia).rate / before.inertia;
+    const double share = ghost_inertia(*face, after.mesh_velocity, after.inertia).rate / after.inertia,
+                 old_share = ghost_inertia(*face, before.mesh_velocity, before.inertia).rate / before.inertia;
     if (std::abs(share - old_share) > much)
       for (const Index node : face->nodes) zone.add_node(node);
   }
@@ -125,8 +125,8 @@ std::vector<Index> shared_equations(const Layout& before, const Layout& after) {
     if (place[i] == absent) continue;
     const std::size_t j = place[i];
     match(old.rigid, 3 * j, now.rigid, 3 * i, 3);
-    const Index n = after.cut.knots[i].size();
-    if (before.cut.knots[j].size() == n)
+    const Index n = after.cut.multiplier_nodes[i].size();
+    if (before.cut.multiplier_nodes[j].size() == n)
       match(old.multiplier, 2 * before.cut.first_multiplier[j], now.multiplier,
             2 * after.cut.first_multiplier[i], 2 * static_cast<std::size_t>(n));
   }

@@ -14,8 +14,8 @@ struct Layout {
   std::vector<Interface> interfaces;
   CutMesh cut;
   Numbering numbering;
-  Vector drift;        ///< x, y of each node: velocity of its path [m/s]; empty: all stay
-  double inertia = 0;  ///< of the time scheme [1/s]
+  Vector mesh_velocity;  ///< x, y of each node: velocity of its path [m/s]; empty: all stay
+  double inertia = 0;    ///< of the time scheme [1/s]
 };
 
 /// For each equation of `after`, the one of `before` that has the same unknown, or −1: velocity of a node,

@@ -16,10 +16,10 @@ Vec2 made_inside(const MovingPart& part, const Vector& u) {
   return made;
 }
 
-/// ∫u (u − w)·n over the outlines, n out of the fluid, without what a body is said to let through.
-Vec2 made_at_outlines(const MovingPart& part, const Vector& u) {
+/// ∫u (u − w)·n over the surfaces, n out of the fluid, without what a body is said to let through.
+Vec2 made_at_surfaces(const MovingPart& part, const Vector& u) {
   Vec2 made = Vec2::Zero();
-  for (const MovingPart::OutlinePoint& point : part.outline) {
+  for (const MovingPart::SurfacePoint& point : part.surface) {
     const Vec2 at_x = value_at(point.nodes, point.shape, u);
     made += (point.normal.dot(at_x) - point.given) * at_x;
   }
@@ -30,7 +30,7 @@ Vec2 made_at_outlines(const MovingPart& part, const Vector& u) {
 
 void keep_momentum(double density, const std::vector<MovingPart>& parts, const Vector& u, Vector& residual) {
   for (const MovingPart& part : parts) {
-    const Vec2 made = part.made + made_inside(part, u) + made_at_outlines(part, u);
+    const Vec2 made = part.made + made_inside(part, u) + made_at_surfaces(part, u);
     const Vec2 force = density / part.area * made;
     for (const MovingPart::Cell& cell : part.cells)
       for (int i = 0; i < 6; ++i) residual.segment<2>(2 * cell.nodes[i]) -= cell.shape[i] * force;

@@ -8,7 +8,7 @@
 
 namespace fpi::fluid {
 
-/// Integrals over the cells of a part and along the outlines in it, of one step.
+/// Integrals over the cells of a part and along the surfaces in it, of one step.
 struct MovingPart {
   using Square = Eigen::Matrix<double, 6, 6>;
   struct Cell {
@@ -17,14 +17,14 @@ struct MovingPart {
     Padded growth;                 ///< ∫N_i ∇·w [m²/s]
     std::array<Square, 2> slopes;  ///< ∫N_i ∂N_j/∂x and /∂y [m]
   };
-  struct OutlinePoint {
+  struct SurfacePoint {
     std::array<Index, 6> nodes;
     Padded shape;
     Vec2 normal;   ///< out of the fluid, times the point's weight [m]
     double given;  ///< what is to pass there, n·w and what the body lets through [m²/s]
   };
   std::vector<Cell> cells;
-  std::vector<OutlinePoint> outline;
+  std::vector<SurfacePoint> surface;
   double area = 0;           ///< of the fluid [m²]
   Vec2 made = Vec2::Zero();  ///< momentum that the history makes, over ρ Δt [m³/s²]
 };

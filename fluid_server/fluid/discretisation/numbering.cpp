@@ -35,9 +35,9 @@ Numbering number_unknowns(const Mesh& mesh, const Boundary& boundary, const CutM
   }
   out.pinned = pinned_vertices(mesh, components, boundary.open_components(components));
   for (Index v : out.pinned) out.pressure[v] = absent;
-  for (std::size_t i = 0; i < cut.knots.size(); ++i) {
+  for (std::size_t i = 0; i < cut.multiplier_nodes.size(); ++i) {
     Index m = cut.first_multiplier[i];
-    for (const double length : cut.knots[i].lengths()) {
+    for (const double length : cut.multiplier_nodes[i].lengths()) {
       if (cut.active_length[m] > 0.05 * length) out.multiplier[2 * m] = out.multiplier[2 * m + 1] = wanted;
       ++m;
     }

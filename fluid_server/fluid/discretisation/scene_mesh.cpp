@@ -14,7 +14,7 @@ namespace {
 std::vector<double> lines(const scene::Mesh& m, int axis) {
   const double lower = m.lower[axis], upper = m.upper[axis];
   if (m.cell_size == 0)
-    return crowded_lines(lower, upper, static_cast<Index>(axis == 0 ? m.cells_x : m.cells_y), m.crowding);
+    return graded_lines(lower, upper, static_cast<Index>(axis == 0 ? m.cells_x : m.cells_y), m.crowding);
   const bool everywhere = m.fine_region.empty();
   return graded_lines(lower, upper, everywhere ? lower : m.fine_region[axis],
                       everywhere ? upper : m.fine_region[axis + 2], m.cell_size, m.growth,

@@ -8,7 +8,7 @@ Space::Space(Mesh mesh_in, const std::map<std::string, scene::Boundary>& conditi
     : mesh(std::move(mesh_in)),
       locator(mesh),
       boundary(mesh, conditions),
-      stripes(make_stripes(mesh)),
+      colouring(make_colouring(mesh)),
       smallest_size(mesh.size(0)),
       curved_index_(mesh.n_cells(), -1) {
   triangles.reserve(mesh.n_cells());

@@ -3,9 +3,9 @@
 
 #include "fluid/base/element.hpp"
 #include "fluid/discretisation/boundary.hpp"
+#include "fluid/mesh/colouring.hpp"
 #include "fluid/mesh/locator.hpp"
 #include "fluid/mesh/mesh.hpp"
-#include "fluid/mesh/stripes.hpp"
 
 namespace fpi::fluid {
 
@@ -23,7 +23,7 @@ struct Space {
   Mesh mesh;
   Locator locator;
   Boundary boundary;
-  Stripes stripes;
+  Colouring colouring;
   std::vector<Triangle> triangles;      ///< through the corners of each cell
   std::vector<Metric<double>> metrics;  ///< of these triangles
   double smallest_size;                 ///< h of the smallest element [m]

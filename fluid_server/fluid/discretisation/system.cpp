@@ -54,22 +54,22 @@ const BlockMask& arc_mask(bool mixed) {
 }  // namespace
 
 System::System(const Space& space, const scene::Fluid& parameters, std::vector<Interface> interfaces,
-               const CutMesh& before, Ledger& ledger)
+               const CutMesh& before, Timers& timers)
     : space_(space),
       embedding_(parameters.embedding),
       linear_solver_(parameters.linear_solver),
       interfaces_(std::move(interfaces)),
       matrix_(0) {
   {
-    const ScopedTimer timer(ledger, "interface");
+    const ScopedTimer timer(timers, "interface");
     cut_ = cut_mesh(space.mesh, space.locator, interfaces_, before);
     components_ = find_components(space.mesh, cut_);
     drop_pockets(space.mesh, interfaces_, components_, cut_);
     for (const Interface& interface : interfaces_)
       arc_lengths_.push_back(
-          wanted_arc_length(space.mesh, space.locator, interface.outline, embedding_.arc_ratio));
+          wanted_arc_length(space.mesh, space.locator, interface.surface, embedding_.arc_ratio));
   }
-  const ScopedTimer timer(ledger, "assembly");
+  const ScopedTimer timer(timers, "assembly");
   numbering_ = number_unknowns(space.mesh, space.boundary, cut_, components_, interfaces_);
   free_bodies_ = FreeBodies(interfaces_, cut_, numbering_);
   order_cells();
@@ -87,7 +87,7 @@ void System::order_cells() {
   for (std::size_t k = 0; k < cut_.cut_cells.size(); ++k)
     cut_number[cut_.cut_cells[k]->cell] = static_cast<Index>(k);
   enum Kind { straight, curved, single };
-  std::vector<std::array<std::vector<Index>, 3>> cells(space_.stripes.n);
+  std::vector<std::array<std::vector<Index>, 3>> cells(space_.colouring.n);
   for (Index c = 0; c < mesh.n_cells(); ++c) {
     if (!cut_.is_active(c)) continue;
     const Kind whole = mesh.is_curved(c) ? curved : straight;
@@ -97,16 +97,16 @@ void System::order_cells() {
         "bodies away from curved boundaries, or make the mesh of first order there",
         mesh.corners(c)[0].x(), mesh.corners(c)[0].y());
     const Kind kind = cut_number[c] >= 0 || has_slip_node(mesh.cell_nodes(c)) ? single : whole;
-    cells[space_.stripes.of_cell[c]][kind].push_back(c);
+    cells[space_.colouring.of_cell[c]][kind].push_back(c);
   }
   const auto append = [&](const std::vector<Index>& some) {
     active_cells_.insert(active_cells_.end(), some.begin(), some.end());
     return static_cast<Index>(active_cells_.size());
   };
-  for (const auto& of_stripe : cells) {
+  for (const auto& of_colour : cells) {
     const Index begin = static_cast<Index>(active_cells_.size());
-    const Index first_curved = append(of_stripe[straight]), first_single = append(of_stripe[curved]);
-    stretches_.push_back({begin, first_curved, first_single, append(of_stripe[single])});
+    const Index first_curved = append(of_colour[straight]), first_single = append(of_colour[curved]);
+    stretches_.push_back({begin, first_curved, first_single, append(of_colour[single])});
   }
   for (Index c : active_cells_) cut_index_.push_back(cut_number[c]);
 }
@@ -166,7 +166,7 @@ void System::set_velocities(const std::vector<Interface>& interfaces) {
     const Interface& interface = interfaces_[piece.interface];
     PieceIntegrals& integrals = pieces_[k] = {};
     for (const auto& [parameter, x, n, w] : arc_points(space_, interface, piece)) {
-      const auto hats = cut_.knots[piece.interface].hats(piece.arc, parameter);
+      const auto hats = cut_.multiplier_nodes[piece.interface].hats(piece.arc, parameter);
       for (int end = 0; end < 2; ++end) {
         const double weight = w * hats[end];
         integrals.shape[end] += weight * n;
@@ -219,7 +219,7 @@ void System::check_closed_parts(const Residual& residual, const Vector& u) const
     moved += interface.balance ? (length[0] + length[1]) * interface.rigid.translation.norm()
                                : (velocity[0] + velocity[1]).norm();
   }
-  // The no-slip condition holds arc by arc, so a little flows through an outline that is at rest in a flow.
+  // The no-slip condition holds arc by arc, so a little flows through a surface that is at rest in a flow.
   const double leak = 0.01 * space_.smallest_size * u.lpNorm<Eigen::Infinity>();
   // A pore that bodies alone enclose shrinks as their contacts give way; its fluid is let go.
   std::vector<std::uint8_t> has_side(components_.n(), 0);
@@ -279,25 +279,25 @@ void System::add(const Vector& update, double step, Fields& fields) const {
   fields.drive += step * update.tail(drives_.size());
 }
 
-std::shared_ptr<const Factor> System::factor_of_matrix(Ledger& ledger) {
+std::shared_ptr<const Factor> System::factor_of_matrix(Timers& timers) {
   if (!analysis_) {
     const std::vector<Index> rigid =
         wants_resistance_ ? free_bodies_.unknowns(numbering_) : std::vector<Index>{};
     analysis_ = analyse(matrix_, linear_solver_, numbering_.clusters, rigid);
-    ledger.counts["analyses"] += 1;
+    timers.counts["analyses"] += 1;
   }
   return analysis_->factor(matrix_);
 }
 
 std::shared_ptr<const Factor> System::factor(const TimeTerms& time,
-                                             std::shared_ptr<const Background>& background, Ledger& ledger) {
-  Layout layout{interfaces_, cut_, numbering_, time.drift, time.inertia};
+                                             std::shared_ptr<const Background>& reference, Timers& timers) {
+  Layout layout{interfaces_, cut_, numbering_, time.mesh_velocity, time.inertia};
   std::shared_ptr<const Factor> inner;
-  if (background && has_resistance(*background))
-    inner = with_zone_correction(background, space_.mesh, layout, matrix_, linear_solver_);
+  if (reference && has_resistance(*reference))
+    inner = with_zone_correction(reference, space_.mesh, layout, matrix_, linear_solver_);
   if (!inner) {
-    inner = factor_of_matrix(ledger);
-    background = std::make_shared<Background>(inner, std::move(layout));
+    inner = factor_of_matrix(timers);
+    reference = std::make_shared<Background>(inner, std::move(layout));
   }
   if (drives_.size() == 0) return inner;
   Columns columns(numbering_.n_equations, drives_.size()), rows = columns;
@@ -316,19 +316,19 @@ void System::want_resistance(bool wanted) {
   if (std::exchange(wants_resistance_, wanted) != wanted) analysis_.reset();
 }
 
-bool System::has_resistance(const Background& background) const {
+bool System::has_resistance(const Background& reference) const {
   if (!wants_resistance_) return true;
   const auto is_free = [](const Interface& interface) { return interface.balance.has_value(); };
   const auto same_body = [](const Interface& a, const Interface& b) { return a.body == b.body; };
   auto now = interfaces_ | std::views::filter(is_free);
-  auto before = background.layout.interfaces | std::views::filter(is_free);
-  return background.factor->schur_complement().size() > 0 && std::ranges::equal(now, before, same_body);
+  auto before = reference.layout.interfaces | std::views::filter(is_free);
+  return reference.factor->schur_complement().size() > 0 && std::ranges::equal(now, before, same_body);
 }
 
-Eigen::MatrixXd System::resistance(const Background& background) const {
+Eigen::MatrixXd System::resistance(const Background& reference) const {
   Eigen::MatrixXd resistance;
-  if (!wants_resistance_ || !has_resistance(background)) return resistance;
-  resistance = background.factor->schur_complement();
+  if (!wants_resistance_ || !has_resistance(reference)) return resistance;
+  resistance = reference.factor->schur_complement();
   const auto add_own = [&](const std::vector<Interface>& interfaces, double sign) {
     Eigen::Index first = 0;
     for (const Interface& interface : interfaces) {
@@ -339,7 +339,7 @@ Eigen::MatrixXd System::resistance(const Background& background) const {
       first += 3;
     }
   };
-  add_own(background.layout.interfaces, -1);
+  add_own(reference.layout.interfaces, -1);
   add_own(interfaces_, 1);
   return resistance;
 }

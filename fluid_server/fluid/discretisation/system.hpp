@@ -31,12 +31,12 @@ struct Fields {
 };
 
 /// The acceleration as a function of the velocity: a = inertia · u − history (paper, eq. 10). Where nodes
-/// move with bodies both are taken along their paths, and what is missing of ∂u/∂t, (∇u) drift, joins
-/// convection.
+/// move with bodies (an ALE frame) both are taken along their paths, and what is missing of ∂u/∂t, (∇u) w
+/// with the mesh velocity w, joins convection.
 struct TimeTerms {
   double inertia = 0;                 ///< 1/(γ Δt) [1/s]; zero in steady flow
   Vector history;                     ///< x, y of each node [m/s²]
-  Vector drift;                       ///< x, y of each node: velocity of its path [m/s]; empty: all stay
+  Vector mesh_velocity;               ///< x, y of each node: velocity of its path [m/s]; empty: all stay
   std::vector<std::uint8_t> follows;  ///< cells whose history is not of nodes but in `load`; empty: none
   Vector load;                        ///< x, y of each node: ∫ w · history over these cells [m³/s²]
   Vector carried;                 ///< x, y of each cell: ∫ history over it, if it is one of these [m³/s²]
@@ -47,7 +47,7 @@ struct TimeTerms {
     terms.history = Vector::Zero(2 * static_cast<Eigen::Index>(n_nodes));
     return terms;
   }
-  bool moves() const { return drift.size() > 0; }
+  bool moves() const { return mesh_velocity.size() > 0; }
   bool follows_path(Index cell) const { return !follows.empty() && follows[cell] != 0; }
   Vector acceleration(const Vector& u) const { return inertia * u - history; }
 };
@@ -68,7 +68,7 @@ class System {
  public:
   /// Takes what bodies that stayed have to do with from the cut mesh `before`.
   System(const Space& space, const scene::Fluid& parameters, std::vector<Interface> interfaces,
-         const CutMesh& before, Ledger& ledger);
+         const CutMesh& before, Timers& timers);
 
   const Space& space() const { return space_; }
   const CutMesh& cut() const { return cut_; }
@@ -117,21 +117,21 @@ class System {
   /// Size h of the smallest element [m].
   double smallest_size() const { return space_.smallest_size; }
   const BlockMatrix& matrix() const { return matrix_; }
-  /// Factors the matrix as it stands, without the drives; its pattern is analysed once. `ledger` counts
+  /// Factors the matrix as it stands, without the drives; its pattern is analysed once. `timers` counts
   /// analyses.
-  std::shared_ptr<const Factor> factor_of_matrix(Ledger& ledger);
-  /// Of the whole system: made from `background` where one is given and that pays, else new, and then the
-  /// background of later ones.
-  std::shared_ptr<const Factor> factor(const TimeTerms& time, std::shared_ptr<const Background>& background,
-                                       Ledger& ledger);
+  std::shared_ptr<const Factor> factor_of_matrix(Timers& timers);
+  /// Of the whole system: made from `reference` where one is given and that pays, else new, and then the
+  /// reference of later ones.
+  std::shared_ptr<const Factor> factor(const TimeTerms& time, std::shared_ptr<const Background>& reference,
+                                       Timers& timers);
   /// Whether factors are to have the Schur complement of the bodies that the fluid moves, which tells how it
   /// resists them; where the linear solver cannot give it, or drives are unknowns, they have none.
   void want_resistance(bool wanted);
   bool wants_resistance() const { return wants_resistance_; }
-  /// Whether the background has it, if it is wanted.
-  bool has_resistance(const Background& background) const;
+  /// Whether the reference has it, if it is wanted.
+  bool has_resistance(const Background& reference) const;
   /// What it has, with the bodies' own m/Δt as it is now; without entries where none is wanted.
-  Eigen::MatrixXd resistance(const Background& background) const;
+  Eigen::MatrixXd resistance(const Background& reference) const;
   /// 1 for each equation of a velocity, 0 for all else: that follows from the velocities.
   Vector velocity_weight() const;
   /// 1 for each node in the fluid itself, 0 also where an active element reaches into a body.
@@ -147,12 +147,12 @@ class System {
     double torque = 0;
   };
   std::vector<Resultant> resultants(const Vector& lambda) const;
-  /// Length of the bodies' outlines in the fluid [m].
+  /// Length of the bodies' surfaces in the fluid [m].
   double wetted_length() const;
 
  private:
   void declare_blocks();
-  /// Positions in active_cells_ of the cells of one stripe: straight ones, curved ones, then those that are
+  /// Positions in active_cells_ of the cells of one colour: straight ones, curved ones, then those that are
   /// cut or have a slip node, which go one by one.
   struct Stretch {
     Index begin, curved, single, end;
@@ -194,7 +194,7 @@ class System {
   std::vector<double> arc_lengths_;
   Numbering numbering_;
   std::vector<Index> active_cells_;
-  std::vector<Stretch> stretches_;  // of each stripe
+  std::vector<Stretch> stretches_;  // of each colour
   std::vector<Index> cut_index_;    // of each active cell in cut_.cut_cells, or −1
   std::vector<PieceIntegrals> pieces_;
   FreeBodies free_bodies_;

@@ -22,10 +22,10 @@ std::vector<Index> with_fringe(const std::vector<Index>& zone, const BlockMatrix
 
 class ZoneCorrectedFactor final : public Factor {
  public:
-  ZoneCorrectedFactor(std::shared_ptr<const Background> background, std::vector<Index> shared,
+  ZoneCorrectedFactor(std::shared_ptr<const Background> reference, std::vector<Index> shared,
                       const std::vector<Index>& zone, const BlockMatrix& matrix, std::string_view solver)
       : Factor(matrix.n()),
-        background_(std::move(background)),
+        background_(std::move(reference)),
         shared_(std::move(shared)),
         n_zone_(static_cast<Eigen::Index>(zone.size())),
         fringe_(with_fringe(zone, matrix)),
@@ -41,7 +41,7 @@ class ZoneCorrectedFactor final : public Factor {
 
  private:
   /// x = Z b; x += B (b − A x); x += Z (b − A x), with Z and B the inverses in the zone and of the
-  /// background. That of Aᵀ is the same with theirs.
+  /// reference. That of Aᵀ is the same with theirs.
   Vector back_solve(const Vector& b, Form form) const override {
     const Vector given = at_fringe(b), first = in_zone(given.head(n_zone_), form);
     Vector left = b;
@@ -54,7 +54,7 @@ class ZoneCorrectedFactor final : public Factor {
 
   Vector in_zone(const Vector& b, Form form) const { return inside_ ? solve(*inside_, b, form) : b; }
 
-  /// With the background's factor; what it does not know is zero.
+  /// With the reference's factor; what it does not know is zero.
   Vector everywhere(const Vector& b, Form form) const {
     Vector old = Vector::Zero(background_->layout.numbering.n_equations);
     for (Index k = 0; k < n_; ++k)
@@ -84,7 +84,7 @@ class ZoneCorrectedFactor final : public Factor {
   }
 
   std::shared_ptr<const Background> background_;
-  std::vector<Index> shared_;  // equation of the background, or −1
+  std::vector<Index> shared_;  // equation of the reference, or −1
   Eigen::Index n_zone_;
   std::vector<Index> fringe_;             // the zone first
   BlockMatrix around_;                    // the matrix at the fringe
@@ -93,10 +93,10 @@ class ZoneCorrectedFactor final : public Factor {
 
 }  // namespace
 
-std::shared_ptr<const Factor> with_zone_correction(std::shared_ptr<const Background> background,
+std::shared_ptr<const Factor> with_zone_correction(std::shared_ptr<const Background> reference,
                                                    const Mesh& mesh, const Layout& layout,
                                                    const BlockMatrix& matrix, std::string_view solver) {
-  const Layout& before = background->layout;
+  const Layout& before = reference->layout;
   if (before.numbering.pinned != layout.numbering.pinned) return nullptr;
   const std::vector<Index> zone = changed_zone(mesh, before, layout, layers);
   if (static_cast<double>(zone.size()) > largest_zone * matrix.n()) return nullptr;
@@ -104,7 +104,7 @@ std::shared_ptr<const Factor> with_zone_correction(std::shared_ptr<const Backgro
   for (Index k = 0; k < matrix.n(); ++k)
     if (shared[k] < 0 && !std::ranges::binary_search(zone, k)) return nullptr;
   auto corrected =
-      std::make_shared<ZoneCorrectedFactor>(std::move(background), std::move(shared), zone, matrix, solver);
+      std::make_shared<ZoneCorrectedFactor>(std::move(reference), std::move(shared), zone, matrix, solver);
   return corrected->is_singular() ? nullptr : corrected;
 }
 

@@ -21,8 +21,8 @@ struct Background {
 
 /// For `matrix`, which belongs to `layout`; the zone's is factored by the linear solver named. Null where
 /// that would not pay, because much has changed, or could not converge, because the pressure is pinned
-/// elsewhere or the zone's matrix is singular. It has no Schur complement; the background has.
-std::shared_ptr<const Factor> with_zone_correction(std::shared_ptr<const Background> background,
+/// elsewhere or the zone's matrix is singular. It has no Schur complement; the reference has.
+std::shared_ptr<const Factor> with_zone_correction(std::shared_ptr<const Background> reference,
                                                    const Mesh& mesh, const Layout& layout,
                                                    const BlockMatrix& matrix, std::string_view solver);
 

@@ -1,4 +1,4 @@
-/// A disc, and its circle as an outline run through by the angle. Where a segment crosses the circle is
+/// A disc, and its circle as a surface run through by the angle. Where a segment crosses the circle is
 /// computed the same way for everyone who asks, so that neighbours agree to the bit.
 #pragma once
 
@@ -14,7 +14,7 @@ struct Disc {
   Vec2 centre;    ///< [m]
   double radius;  ///< [m]
 
-  static constexpr double period() { return 2 * std::numbers::pi; }  ///< of the outline's parameter [rad]
+  static constexpr double period() { return 2 * std::numbers::pi; }  ///< of the surface's parameter [rad]
   Vec2 at(double angle) const { return centre + radius * Vec2(std::cos(angle), std::sin(angle)); }
   Vec2 normal(double angle) const { return {std::cos(angle), std::sin(angle)}; }  ///< out of the disc
   double angle(const Vec2& x) const { return std::atan2(x.y() - centre.y(), x.x() - centre.x()); }

@@ -20,15 +20,15 @@ void check_arcs(const Interface& f) {
   require(n > 0 && f.end.size() == f.start.size(), "body {}: at least one arc is required; got {}", f.body,
           n);
   for (Index a = 0; a < n; ++a)
-    require(f.end[a] > f.start[a] && std::abs(f.start[a]) < 16 * f.outline.period() &&
+    require(f.end[a] > f.start[a] && std::abs(f.start[a]) < 16 * f.surface.period() &&
                 (a == 0 || std::abs(f.start[a] - f.end[a - 1]) < round_off),
             "body {}: each arc must start where the one before ends, less than 16 turns from 0; arc {} runs "
             "from {} to {}",
             f.body, a, f.start[a], f.end[a]);
   const double turn = f.end.back() - f.start.front();
-  require(std::abs(turn - f.outline.period()) < round_off * n,
-          "body {}: the arcs must go once around the outline, from 0 to {}; they cover {}", f.body,
-          f.outline.period(), turn);
+  require(std::abs(turn - f.surface.period()) < round_off * n,
+          "body {}: the arcs must go once around the surface, from 0 to {}; they cover {}", f.body,
+          f.surface.period(), turn);
 }
 
 void check_balance(const Interface& f) {
@@ -43,15 +43,14 @@ void check_balance(const Interface& f) {
 }
 
 void check_size(const Interface& f) {
-  const Vec2 low = f.outline.lower(), high = f.outline.upper();
+  const Vec2 low = f.surface.lower(), high = f.surface.upper();
   const double largest = std::max({low.lpNorm<Eigen::Infinity>(), high.lpNorm<Eigen::Infinity>(),
                                    f.rigid.centre.lpNorm<Eigen::Infinity>(), std::abs(f.rigid.spin),
                                    f.rigid.translation.lpNorm<Eigen::Infinity>()});
-  require(
-      f.outline.area() > 0 && (high - low).minCoeff() > 0 && largest < farthest,
-      "body {}: an outline that encloses an area counter-clockwise is required, and places and velocities "
-      "below {:g} in SI units; got an area of {:g} m² and {:g}: did the coupling diverge?",
-      f.body, farthest, f.outline.area(), largest);
+  require(f.surface.area() > 0 && (high - low).minCoeff() > 0 && largest < farthest,
+          "body {}: a surface that encloses an area counter-clockwise is required, and places and velocities "
+          "below {:g} in SI units; got an area of {:g} m² and {:g}: did the coupling diverge?",
+          f.body, farthest, f.surface.area(), largest);
   const std::size_t n = f.sampled.size() / f.start.size();
   require(n * f.start.size() == f.sampled.size() && n <= most_samples,
           "body {}: at most {} velocities an arc, the same number on each, are taken; got {} on {} arcs",
@@ -63,7 +62,7 @@ void check_size(const Interface& f) {
 void set_edges(Interface& f, const std::vector<Vec2>& vertices) {
   auto [polygon, parameters] = merge_collinear(vertices);
   require(polygon.size() >= 3,
-          "body {}: an outline with three corners or more is required; got {} from {} vertices", f.body,
+          "body {}: a surface with three corners or more is required; got {} from {} vertices", f.body,
           polygon.size(), vertices.size());
   std::vector<double> corners;
   double shortest = std::numeric_limits<double>::infinity();
@@ -73,13 +72,13 @@ void set_edges(Interface& f, const std::vector<Vec2>& vertices) {
     shortest = std::min(shortest, (to - from).norm());
   }
   const std::string problem = polygon_problem(corners);
-  require(problem.empty(), "body {}: its outline {}", f.body, problem);
-  require(shortest > 10 * polygon.hair(),
-          "body {}: its outline must have sides longer than round-off; one is {:g} m", f.body, shortest);
+  require(problem.empty(), "body {}: its surface {}", f.body, problem);
+  require(shortest > 10 * polygon.tolerance(),
+          "body {}: its surface must have sides longer than round-off; one is {:g} m", f.body, shortest);
   f.start = std::move(parameters);
   f.end.assign(f.start.begin() + 1, f.start.end());
   f.end.push_back(f.start.front() + polygon.period());
-  f.outline = std::move(polygon);
+  f.surface = std::move(polygon);
 }
 
 void check(std::span<const Interface> interfaces) {
@@ -90,8 +89,8 @@ void check(std::span<const Interface> interfaces) {
     check_balance(f);
     for (const Interface& other : interfaces.first(i)) {
       require(other.body != f.body, "each body must come once; body {} comes twice", f.body);
-      const Vec2 low = f.outline.lower(), high = f.outline.upper();
-      const double apart = (other.outline.lower() - low).norm() + (other.outline.upper() - high).norm();
+      const Vec2 low = f.surface.lower(), high = f.surface.upper();
+      const double apart = (other.surface.lower() - low).norm() + (other.surface.upper() - high).norm();
       require(apart > 1e-6 * (high - low).norm(),
               "bodies {} and {} lie on top of each other at ({:g}, {:g}) m: move one", other.body, f.body,
               f.rigid.centre.x(), f.rigid.centre.y());
@@ -100,7 +99,7 @@ void check(std::span<const Interface> interfaces) {
 }
 
 Vec2 Interface::velocity(Index arc, double parameter) const {
-  if (sampled.empty()) return rigid(outline.at(parameter));
+  if (sampled.empty()) return rigid(surface.at(parameter));
   const int n = static_cast<int>(sampled.size()) / n_arcs();
   const auto points = gauss_legendre(n);
   const double s = (parameter - start[arc]) / (end[arc] - start[arc]);
@@ -115,7 +114,7 @@ Vec2 Interface::velocity(Index arc, double parameter) const {
 }
 
 bool Interface::same_geometry(const Interface& other) const {
-  return outline == other.outline && rigid.centre == other.rigid.centre && start == other.start &&
+  return surface == other.surface && rigid.centre == other.rigid.centre && start == other.start &&
          end == other.end && balance.has_value() == other.balance.has_value();
 }
 

@@ -117,7 +117,7 @@ Subdivided merge_collinear(const std::vector<Vec2>& vertices) {
 
 void add_crossings(const Polygon& polygon, const Vec2& a, const Vec2& b, std::vector<double>& parameters) {
   const Vec2 d = b - a;
-  const double touch = 2 * polygon.hair();
+  const double touch = 2 * polygon.tolerance();
   for (int k = 0; k < polygon.size(); ++k) {
     const auto [p, q] = polygon.side(k);
     const Vec2 e = q - p;

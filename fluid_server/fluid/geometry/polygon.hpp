@@ -1,4 +1,4 @@
-/// A polygon, and its sides as an outline run through by one parameter: k + s is the point a fraction s along
+/// A polygon, and its sides as a surface run through by one parameter: k + s is the point a fraction s along
 /// side k, which runs from corner k to corner k + 1, counter-clockwise (the body on the left).
 #pragma once
 
@@ -29,10 +29,10 @@ struct Polygon {
   Vec2 centroid() const;
   bool contains(const Vec2& x) const;
   double nearest(const Vec2& x) const;  ///< parameter of the point nearest to x
-  /// Signed distance of x from the outline [m], negative inside.
+  /// Signed distance of x from the surface [m], negative inside.
   double distance(const Vec2& x) const;
   /// A length well above the round-off of coordinates and far below all that matters [m].
-  double hair() const { return 1e-12 * (lower().norm() + upper().norm() + (upper() - lower()).norm()); }
+  double tolerance() const { return 1e-12 * (lower().norm() + upper().norm() + (upper() - lower()).norm()); }
   Vec2 lower() const;
   Vec2 upper() const;
   bool operator==(const Polygon&) const = default;
@@ -46,9 +46,9 @@ struct Subdivided {
 };
 Subdivided merge_collinear(const std::vector<Vec2>& vertices);
 
-/// Appends the parameters at which the segment from a to b meets the outline. A side nearer than two hairs to
-/// an end of the segment counts as met there, so that one that runs along mesh edges is split at every node:
-/// a needless split does no harm, a missing one would.
+/// Appends the parameters at which the segment from a to b meets the surface. A side nearer than two
+/// tolerances to an end of the segment counts as met there, so that one that runs along mesh edges is split
+/// at every node: a needless split does no harm, a missing one would.
 void add_crossings(const Polygon& polygon, const Vec2& a, const Vec2& b, std::vector<double>& parameters);
 void add_crossings(const Polygon& polygon, const Disc& disc, std::vector<double>& parameters);
 

@@ -26,7 +26,7 @@ ForceBalance force_balance(System& system, const Flow& flow, const Fields& field
                            double t, const Vec2& mean_force, const std::vector<BoundaryCurve>& curves,
                            const std::vector<BoundaryTraction>& held) {
   const Space& space = system.space();
-  const std::vector<Outline> bodies = outlines(system.cut().images);
+  const std::vector<Surface> bodies = surfaces(system.cut().images);
   ForceBalance out;
   for (std::size_t c = 0; c < curves.size(); ++c)
     out.terms.push_back({"boundary:" + curves[c].name, -held[c].force});
@@ -40,7 +40,7 @@ ForceBalance force_balance(System& system, const Flow& flow, const Fields& field
   }
   Vec2 on_bodies = Vec2::Zero(), displaced = Vec2::Zero();
   for (const System::Resultant& resultant : system.resultants(fields.lambda)) on_bodies += resultant.force;
-  for (const Interface& interface : system.interfaces()) displaced += interface.outline.area() * mean_force;
+  for (const Interface& interface : system.interfaces()) displaced += interface.surface.area() * mean_force;
   out.terms.push_back({"bodies", -on_bodies - displaced});
 
   Flow creeping = flow;

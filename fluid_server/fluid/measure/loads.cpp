@@ -32,7 +32,7 @@ void System::set_load(double t, const BodyForce& body_force) {
   const bool changes = space_.boundary.traction_depends_on_time() || body_force.depends_on_time();
   if (std::exchange(has_load_, true) && !changes) return;
   load_.setZero();
-  space_.boundary.add_tractions(t, {outlines(cut_.images), components_.of_boundary}, load_);
+  space_.boundary.add_tractions(t, {surfaces(cut_.images), components_.of_boundary}, load_);
   if (!body_force.is_zero()) add_force_density([&](const Vec2& x) { return body_force(x, t); }, load_);
 }
 
@@ -70,9 +70,9 @@ Drives System::make_drives(const scene::Fluid& parameters) const {
     add_force_density([&](const Vec2&) { return along; }, drive.load);
     for (std::size_t i = 0; i < interfaces_.size(); ++i) {
       const Interface& interface = interfaces_[i];
-      const Vec2 force = interface.outline.area() * along;
+      const Vec2 force = interface.surface.area() * along;
       drive.load_on_bodies.segment<3>(3 * static_cast<Eigen::Index>(i)) << force,
-          cross(interface.outline.centroid() - interface.rigid.centre, force);
+          cross(interface.surface.centroid() - interface.rigid.centre, force);
     }
   }
   for (const auto& [name, boundary] : parameters.boundaries) {
@@ -85,7 +85,7 @@ Drives System::make_drives(const scene::Fluid& parameters) const {
     const auto found = std::ranges::find(mesh.boundary_names, name);
     const auto part = static_cast<Index>(found - mesh.boundary_names.begin());
     require_way_out(space_, components_, part);
-    space_.boundary.add_pressure(part, {outlines(cut_.images), components_.of_boundary}, drive.load);
+    space_.boundary.add_pressure(part, {surfaces(cut_.images), components_.of_boundary}, drive.load);
   }
   return Drives(std::move(drives));
 }

@@ -33,19 +33,19 @@ void for_each_point(const System& system, const Vector& u, const Vector* p,
   }
 }
 
-/// Area [m²] and centroid of the part of an outline in a box.
+/// Area [m²] and centroid of the part of a surface in a box.
 struct Part {
   double area = 0;
   Vec2 centroid = Vec2::Zero();
 };
 
-Part part_in(const Box& box, const Outline& outline) {
-  const Vec2 low = outline.lower().cwiseMax(box.lower), high = outline.upper().cwiseMin(box.upper);
+Part part_in(const Box& box, const Surface& surface) {
+  const Vec2 low = surface.lower().cwiseMax(box.lower), high = surface.upper().cwiseMin(box.upper);
   if ((low.array() >= high.array()).any()) return {};
-  if (low == outline.lower() && high == outline.upper()) return {outline.area(), outline.centroid()};
+  if (low == surface.lower() && high == surface.upper()) return {surface.area(), surface.centroid()};
   const Vec2 right(high.x(), low.y()), left(low.x(), high.y());
   std::vector<PlanePoint> outside;
-  const Outline* const body = &outline;
+  const Surface* const body = &surface;
   for (const Corners& half : {Corners{low, right, high}, Corners{low, high, left}})
     cut_quadrature(half, {&body, 1}, outside);
   Part part{Box{low, high}.area()};
@@ -65,7 +65,7 @@ Vec2 flux_of_bodies(const System& system, const Box& box) {
   for (const Image& image : system.cut().images) {
     const RigidVelocity& motion = system.interfaces()[image.interface].rigid;
     if (motion.translation.isZero(0) && motion.spin == 0) continue;
-    const Part part = part_in(box, image.outline());
+    const Part part = part_in(box, image.surface());
     flux += part.area * motion(part.centroid - image.shift);
   }
   return flux;

@@ -13,7 +13,7 @@ namespace fpi::fluid {
 struct PoreFlow {
   double box = 0;                      ///< [m²]
   double fluid = 0;                    ///< area of the fluid [m²]
-  double surface = 0;                  ///< wetted outline of the bodies [m]
+  double surface = 0;                  ///< wetted surface of the bodies [m]
   Vec2 flux = Vec2::Zero();            ///< ∫u [m³/s a metre of thickness]
   Vec2 flux_of_bodies = Vec2::Zero();  ///< ∫ of their velocities, over what of them is in the box
   double speed = 0;                    ///< ∫|u|

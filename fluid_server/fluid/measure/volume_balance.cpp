@@ -8,18 +8,18 @@
 namespace fpi::fluid {
 namespace {
 
-struct OutlineFlow {
+struct SurfaceFlow {
   double body = 0, fluid = 0;  ///< ∫V·n and ∫u·n, n out of the bodies [m²/s]
 };
 
-OutlineFlow through_outlines(const System& system, const Vector& u) {
+SurfaceFlow through_surfaces(const System& system, const Vector& u) {
   const Space& space = system.space();
-  OutlineFlow flow;
+  SurfaceFlow flow;
   for (const ArcPiece& piece : system.cut().pieces) {
     const Interface& interface = system.interfaces()[piece.interface];
     const auto nodes = space.mesh.cell_nodes(piece.cell);
     for (const ArcPoint& point : arc_points(space, interface, piece)) {
-      const Vec2 n = point.weight * interface.outline.normal(point.parameter);
+      const Vec2 n = point.weight * interface.surface.normal(point.parameter);
       flow.body += n.dot(interface.velocity(piece.arc, point.parameter));
       flow.fluid += n.dot(value_at(nodes, point.shape, u));
     }
@@ -38,7 +38,7 @@ double VolumeBalance::rest() const {
 std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
   const Space& space = system.space();
   const Components& components = system.components();
-  const std::vector<Outline> bodies = outlines(system.cut().images);
+  const std::vector<Surface> bodies = surfaces(system.cut().images);
   std::vector<PartInflow> parts(components.n());
   const std::vector<std::uint8_t> open = space.boundary.open_components(components);
   for (Index part = 0; part < components.n(); ++part) {
@@ -63,7 +63,7 @@ std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
     for (const ArcPoint& point : arc_points(space, interface, piece)) {
       const double inflow =
           point.weight *
-          interface.outline.normal(point.parameter).dot(interface.velocity(piece.arc, point.parameter));
+          interface.surface.normal(point.parameter).dot(interface.velocity(piece.arc, point.parameter));
       part.net += inflow;
     }
   }
@@ -72,14 +72,14 @@ std::vector<PartInflow> inflow_of_parts(const System& system, const Vector& u) {
 
 VolumeBalance volume_balance(const System& system, const Vector& u) {
   const Space& space = system.space();
-  const std::vector<Outline> bodies = outlines(system.cut().images);
+  const std::vector<Surface> bodies = surfaces(system.cut().images);
   VolumeBalance out;
   for (Index b = 0; b < static_cast<Index>(space.mesh.boundary_names.size()); ++b) {
     Vector inward = Vector::Zero(u.size());
     space.boundary.add_pressure(b, {bodies, system.components().of_boundary}, inward);
     out.terms.push_back({"boundary:" + space.mesh.boundary_names[b], inward.dot(u)});
   }
-  const OutlineFlow flow = through_outlines(system, u);
+  const SurfaceFlow flow = through_surfaces(system, u);
   out.terms.push_back({"bodies", flow.body});
   out.terms.push_back({"leak", flow.fluid - flow.body});
   return out;

@@ -1,5 +1,5 @@
 /// The account of the fluid's volume: what comes in through every boundary, what bodies push ahead of them,
-/// and what leaks through their outlines, where no slip holds in the mean over an arc only. Together they
+/// and what leaks through their surfaces, where no slip holds in the mean over an arc only. Together they
 /// vanish to the error of the quadrature, as the discrete equation of continuity holds for all the fluid;
 /// where no side is open, one vertex of given pressure takes what leaks.
 #pragma once
@@ -16,7 +16,7 @@ struct VolumeBalance {
     std::string name;
     double inflow = 0;  ///< into the fluid [m²/s]
   };
-  /// "boundary:NAME" of each, "bodies" (that move into the fluid), "leak" (through their outlines).
+  /// "boundary:NAME" of each, "bodies" (that move into the fluid), "leak" (through their surfaces).
   std::vector<Term> terms;
 
   double rest() const;  ///< what they add up to [m²/s]

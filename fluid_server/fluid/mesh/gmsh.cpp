@@ -9,7 +9,7 @@
 
 #include "core/context.hpp"
 #include "core/error.hpp"
-#include "core/words.hpp"
+#include "core/tokenizer.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -41,7 +41,7 @@ struct Contents {
   std::vector<Middle> middles;
 };
 
-void read_names(Words& in, Contents& out) {
+void read_names(Tokenizer& in, Contents& out) {
   for (std::size_t n = in.count(); n > 0; --n) {
     const int dimension = in.number<int>();
     const auto tag = in.number<Tag>();
@@ -51,7 +51,7 @@ void read_names(Words& in, Contents& out) {
 }
 
 /// Nodes come as the vertices, then the middles: of a triangle those of edges 01, 12, 20.
-void read_element(Words& in, Contents& out, int type, Tag curve) {
+void read_element(Tokenizer& in, Contents& out, int type, Tag curve) {
   if (type == point) {
     in.number<Tag>();
   } else if (type == line || type == curved_line) {
@@ -71,7 +71,7 @@ void read_element(Words& in, Contents& out, int type, Tag curve) {
   }
 }
 
-void read_place(Words& in, Contents& out, Tag tag) {
+void read_place(Tokenizer& in, Contents& out, Tag tag) {
   Contents::Node node;
   for (double* coordinate : {&node.place.x(), &node.place.y(), &node.z}) *coordinate = in.real();
   const auto [it, is_new] = out.nodes.try_emplace(tag, node);
@@ -79,11 +79,11 @@ void read_place(Words& in, Contents& out, Tag tag) {
     in.bad(fmt::format("one place of node {}", tag), "two");
 }
 
-void read_nodes_2(Words& in, Contents& out) {
+void read_nodes_2(Tokenizer& in, Contents& out) {
   for (std::size_t n = in.count(); n > 0; --n) read_place(in, out, in.number<Tag>());
 }
 
-void read_elements_2(Words& in, Contents& out) {
+void read_elements_2(Tokenizer& in, Contents& out) {
   for (std::size_t n = in.count(); n > 0; --n) {
     in.number<Tag>();
     const int type = in.number<int>();
@@ -98,7 +98,7 @@ void read_elements_2(Words& in, Contents& out) {
   }
 }
 
-void read_entities_4(Words& in, Contents& out) {
+void read_entities_4(Tokenizer& in, Contents& out) {
   const std::size_t n_points = in.count(), n_curves = in.count();
   in.skip(2);
   for (std::size_t i = 0; i < n_points; ++i) {
@@ -121,7 +121,7 @@ struct Part {
   std::vector<Tag> partitions;
 };
 
-Part read_part(Words& in) {
+Part read_part(Tokenizer& in) {
   Part part{.tag = in.number<Tag>(), .parent_dimension = in.number<int>(), .partitions = {}};
   in.number<Tag>();
   part.partitions.resize(in.count());
@@ -131,7 +131,7 @@ Part read_part(Words& in) {
 
 /// In a partitioned mesh elements belong to parts of curves and surfaces, and these to groups. What separates
 /// two parts of a surface has the surface's groups, which are none of curves.
-void read_partitioned_entities_4(Words& in, Contents& out) {
+void read_partitioned_entities_4(Tokenizer& in, Contents& out) {
   const std::size_t n_partitions = in.count();
   const std::size_t n_ghosts = in.count();
   for (std::size_t i = 0; i < n_ghosts; ++i) in.skip(2);
@@ -162,7 +162,7 @@ void read_partitioned_entities_4(Words& in, Contents& out) {
            fmt::format("{} of {}", there.size(), n_partitions));
 }
 
-void read_nodes_4(Words& in, Contents& out) {
+void read_nodes_4(Tokenizer& in, Contents& out) {
   const std::size_t n_blocks = in.count();
   for (int k = 0; k < 3; ++k) in.number<Tag>();
   for (std::size_t b = 0; b < n_blocks; ++b) {
@@ -175,7 +175,7 @@ void read_nodes_4(Words& in, Contents& out) {
   }
 }
 
-void read_elements_4(Words& in, Contents& out) {
+void read_elements_4(Tokenizer& in, Contents& out) {
   const std::size_t n_blocks = in.count();
   for (int k = 0; k < 3; ++k) in.number<Tag>();
   for (std::size_t b = 0; b < n_blocks; ++b) {
@@ -189,7 +189,7 @@ void read_elements_4(Words& in, Contents& out) {
   }
 }
 
-Contents read_contents(Words& in) {
+Contents read_contents(Tokenizer& in) {
   Contents out;
   std::optional<bool> is_4;
   while (!in.at_end()) {
@@ -368,7 +368,7 @@ class Assembler {
 }  // namespace
 
 Mesh read_gmsh(std::string_view text, const std::string& name, const std::vector<std::string>& conditions) {
-  Words in(text, name, "write the mesh anew with Gmsh (ASCII, format 2.2 or 4.1)");
+  Tokenizer in(text, name, "write the mesh anew with Gmsh (ASCII, format 2.2 or 4.1)");
   const Contents contents = read_contents(in);
   return Assembler(contents, name, conditions).mesh();
 }

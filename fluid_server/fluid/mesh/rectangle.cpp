@@ -96,7 +96,7 @@ std::vector<double> uniform_lines(double lower, double upper, Index cells) {
   return lines;
 }
 
-std::vector<double> crowded_lines(double lower, double upper, Index cells, double crowding) {
+std::vector<double> graded_lines(double lower, double upper, Index cells, double crowding) {
   std::vector<double> lines = uniform_lines(0, 1, cells);
   for (double& t : lines)
     t = lower +

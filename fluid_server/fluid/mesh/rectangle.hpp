@@ -17,7 +17,7 @@ std::vector<double> graded_lines(double lower, double upper, double fine_lower, 
 
 std::vector<double> uniform_lines(double lower, double upper, Index cells);
 /// Uniform lines at `crowding` 0, a cosine's at 1, in between a mixture.
-std::vector<double> crowded_lines(double lower, double upper, Index cells, double crowding);
+std::vector<double> graded_lines(double lower, double upper, Index cells, double crowding);
 
 /// Triangles between grid lines, the diagonals alternating; at the four corners they end in the corner, so
 /// that no triangle has two sides on the boundary (its corner pressure would not be controlled). With

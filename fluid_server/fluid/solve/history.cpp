@@ -14,15 +14,16 @@ std::optional<Sample> sample(const Space& space, const Vec2& x) {
 
 /// u^{n−1} where the path was that is at x with u^n; x itself where that lies outside the mesh.
 Vec2 previous_velocity(const Space& space, const State& state, const Vec2& x, const Sample& at_x) {
-  const Vec2 drift = at_x.velocity(state.drift);
-  const auto before = drift.isZero(0) ? at_x : sample(space, x - state.previous_step * drift).value_or(at_x);
+  const Vec2 mesh_velocity = at_x.velocity(state.mesh_velocity);
+  const auto before =
+      mesh_velocity.isZero(0) ? at_x : sample(space, x - state.previous_step * mesh_velocity).value_or(at_x);
   return before.velocity(state.previous_u);
 }
 
 }  // namespace
 
 bool stays(const Vector& displacement, const State& state, Index node) {
-  return displacement.segment<2>(2 * node).isZero(0) && state.drift.segment<2>(2 * node).isZero(0);
+  return displacement.segment<2>(2 * node).isZero(0) && state.mesh_velocity.segment<2>(2 * node).isZero(0);
 }
 
 State along_paths(const Space& space, const Vector& displacement, const State& state) {
@@ -34,7 +35,7 @@ State along_paths(const Space& space, const Vector& displacement, const State& s
     const auto old = sample(space, x);
     if (!old) continue;
     for (Vector State::*field :
-         {&State::u, &State::acceleration, &State::previous_acceleration, &State::drift})
+         {&State::u, &State::acceleration, &State::previous_acceleration, &State::mesh_velocity})
       (out.*field).segment<2>(2 * node) = old->velocity(state.*field);
     out.previous_u.segment<2>(2 * node) = previous_velocity(space, state, x, *old);
     if (node < mesh.n_vertices()) out.p[node] = old->pressure(state.p);

@@ -15,13 +15,13 @@ struct Partition {
   Index n = 0;
 };
 
-/// A body whose place is kept for a while, as it has hardly left it, moves too: the fluid passes its outline.
+/// A body whose place is kept for a while, as it has hardly left it, moves too: the fluid passes its surface.
 bool moves(const Interface& interface) {
-  const bool turns = interface.rigid.spin != 0 && !interface.outline.disc();
+  const bool turns = interface.rigid.spin != 0 && !interface.surface.disc();
   return turns || !interface.rigid.translation.isZero(0);
 }
 
-/// 1 for each node that moves or lies at the outline of a body that does.
+/// 1 for each node that moves or lies at the surface of a body that does.
 std::vector<std::uint8_t> moving_nodes(const System& system, const Vector& displacement,
                                        const State& accepted) {
   const Mesh& mesh = system.space().mesh;
@@ -83,15 +83,15 @@ MovingPart::Cell integrals(const std::array<Index, 6>& nodes, const Quadrature& 
   return cell;
 }
 
-void add_outline(const System& system, const ArcPiece& piece, const Vector& w, MovingPart& part) {
+void add_surface(const System& system, const ArcPiece& piece, const Vector& w, MovingPart& part) {
   const Interface& interface = system.interfaces()[piece.interface];
   const auto nodes = system.space().mesh.cell_nodes(piece.cell);
   for (const ArcPoint& point : arc_points(system.space(), interface, piece)) {
     Vec2 given = value_at(nodes, point.shape, w);
     if (!interface.sampled.empty())
       given += interface.velocity(piece.arc, point.parameter) - interface.rigid(point.x);
-    const Vec2 normal = -point.weight * interface.outline.normal(point.parameter);
-    part.outline.push_back({nodes, point.shape, normal, normal.dot(given)});
+    const Vec2 normal = -point.weight * interface.surface.normal(point.parameter);
+    part.surface.push_back({nodes, point.shape, normal, normal.dot(given)});
   }
 }
 
@@ -121,14 +121,14 @@ std::vector<MovingPart> moving_parts(const System& system, const Vector& displac
   const Mesh& mesh = system.space().mesh;
   const Partition of = partition(mesh, moving_nodes(system, displacement, accepted));
   const Vector stays = Vector::Zero(time.moves() ? 0 : 2 * static_cast<Eigen::Index>(mesh.n_nodes()));
-  const Vector& drift = time.moves() ? time.drift : stays;
+  const Vector& mesh_velocity = time.moves() ? time.mesh_velocity : stays;
   std::vector<MovingPart> parts(of.n);
   for (std::size_t k = 0; k < system.active_cells().size(); ++k) {
     const Index c = system.active_cells()[k];
     if (of.of_cell[c] < 0) continue;
     MovingPart& part = parts[of.of_cell[c]];
     const MovingPart::Cell& cell =
-        part.cells.emplace_back(integrals(mesh.cell_nodes(c), system.quadrature(k), drift));
+        part.cells.emplace_back(integrals(mesh.cell_nodes(c), system.quadrature(k), mesh_velocity));
     part.area += cell.shape.sum();
     if (time.follows_path(c))
       part.made -= time.carried.segment<2>(2 * c);
@@ -137,7 +137,7 @@ std::vector<MovingPart> moving_parts(const System& system, const Vector& displac
   }
   for (const ArcPiece& piece : system.cut().pieces) {
     const Index part = of.of_cell[piece.cell];
-    if (part >= 0) add_outline(system, piece, drift, parts[part]);
+    if (part >= 0) add_surface(system, piece, mesh_velocity, parts[part]);
   }
   const Contents now = contents(of, accepted.fluid_in_cells);
   const bool has_past = accepted.previous_fluid_in_cells.size() > 0;

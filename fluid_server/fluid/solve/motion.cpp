@@ -15,15 +15,15 @@ double fade(double t) { return t >= 1 ? 0 : 1 - t * t * (3 - 2 * t); }
 
 /// A body, or its image in a periodic flow, that takes nodes along.
 struct Mover {
-  Outline outline;
+  Surface surface;
   Vec2 centre, shift;  ///< of the centroid: at the end of the step, and in the step [m]
   double turn;         ///< in the step, counter-clockwise [rad]
   double reach;        ///< of its influence [m]
 
-  Vec2 lower() const { return outline.lower() - Vec2::Constant(reach); }
-  Vec2 upper() const { return outline.upper() + Vec2::Constant(reach); }
+  Vec2 lower() const { return surface.lower() - Vec2::Constant(reach); }
+  Vec2 upper() const { return surface.upper() + Vec2::Constant(reach); }
   bool moves() const { return turn != 0 || !shift.isZero(0); }
-  double distance(const Vec2& x) const { return std::max(outline.distance(x), 0.0); }
+  double distance(const Vec2& x) const { return std::max(surface.distance(x), 0.0); }
   /// Of the point of the body that ends at x.
   Vec2 displacement(const Vec2& x) const {
     const Vec2 arm = x - centre;
@@ -37,18 +37,18 @@ struct Mover {
 Mover mover(const Space& space, const Interface& interface, std::span<const BodyPlace> before,
             double time_step) {
   const BodyPlace now = place_of(interface);
-  const Outline& outline = interface.outline;
+  const Surface& surface = interface.surface;
   const auto known = std::find_if(before.begin(), before.end(),
                                   [&](const BodyPlace& place) { return place.body == now.body; });
-  Mover m{outline, now.centre, time_step * interface.rigid(now.centre), 0, 0};
-  if (!outline.disc()) m.turn = time_step * interface.rigid.spin;
+  Mover m{surface, now.centre, time_step * interface.rigid(now.centre), 0, 0};
+  if (!surface.disc()) m.turn = time_step * interface.rigid.spin;
   if (known != before.end()) {
     m.shift = now.centre - known->centre;
     m.turn = std::remainder(now.angle - known->angle, 2 * std::numbers::pi);
   }
   constexpr double fewest_elements = 4, fewest_displacements = 3;
-  const double size = 0.5 * (outline.upper() - outline.lower()).maxCoeff();
-  m.reach = std::max({size, wanted_arc_length(space.mesh, space.locator, outline, fewest_elements),
+  const double size = 0.5 * (surface.upper() - surface.lower()).maxCoeff();
+  m.reach = std::max({size, wanted_arc_length(space.mesh, space.locator, surface, fewest_elements),
                       fewest_displacements * (m.shift.norm() + std::abs(m.turn) * size)});
   return m;
 }
@@ -56,7 +56,7 @@ Mover mover(const Space& space, const Interface& interface, std::span<const Body
 void add_images(const Mover& mover, const Period& period, std::vector<Mover>& movers) {
   for (const Vec2& shift : period.shifts(mover.lower(), mover.upper())) {
     movers.push_back(mover);
-    movers.back().outline = mover.outline.moved(shift);
+    movers.back().surface = mover.surface.moved(shift);
     movers.back().centre += shift;
   }
 }
@@ -70,7 +70,7 @@ class Surroundings {
       return (lower.array() < high.array()).all() && (upper.array() > low.array()).all();
     };
     for (const Mover& mover : movers)
-      if (&mover != &own && is_close(mover.outline.lower(), mover.outline.upper())) bodies_.push_back(&mover);
+      if (&mover != &own && is_close(mover.surface.lower(), mover.surface.upper())) bodies_.push_back(&mover);
     for (const BoundaryEdge& b : mesh.boundary) {
       const Vec2 &from = mesh.vertices[mesh.edges[b.edge][0]], &to = mesh.vertices[mesh.edges[b.edge][1]];
       if (is_close(from.cwiseMin(to), from.cwiseMax(to))) edges_.push_back(b.edge);
@@ -106,9 +106,9 @@ std::vector<Index> nodes_near(const Space& space, const Mover& mover) {
 }  // namespace
 
 BodyPlace place_of(const Interface& interface) {
-  const Vec2 centre = interface.outline.centroid();
-  if (interface.outline.disc()) return {interface.body, centre, 0};
-  const Vec2 arm = interface.outline.at(0) - centre;
+  const Vec2 centre = interface.surface.centroid();
+  if (interface.surface.disc()) return {interface.body, centre, 0};
+  const Vec2 arm = interface.surface.at(0) - centre;
   return {interface.body, centre, std::atan2(arm.y(), arm.x())};
 }
 

@@ -30,7 +30,7 @@ struct Failed {
 class Iteration {
  public:
   Iteration(System& system, const Flow& flow, const TimeTerms& time, const scene::Newton& parameters,
-            Iterate& iterate, Monitor& monitor)
+            Iterate& iterate, Profiler& monitor)
       : system_(system),
         flow_(flow),
         time_(time),
@@ -74,7 +74,7 @@ class Iteration {
     const Vector residual = assemble(is_missing);
     if (is_missing) make_factor();
     monitor_.phase("solve");
-    const ScopedTimer timer(monitor_.ledger, "solve");
+    const ScopedTimer timer(monitor_.timers, "solve");
     count("solves");
     correction_ = -corrector().factor->solve(residual);
     corrector().cost += corrector().factor->solve_cost();
@@ -91,7 +91,7 @@ class Iteration {
 
   Vector assemble(bool with_jacobian) {
     monitor_.phase("assembly");
-    const ScopedTimer timer(monitor_.ledger, "assembly");
+    const ScopedTimer timer(monitor_.timers, "assembly");
     count("residuals");
     if (with_jacobian) count("jacobians");
     return system_.gather(system_.assemble(flow_, iterate_.fields, time_, with_jacobian));
@@ -99,10 +99,10 @@ class Iteration {
 
   void make_factor() {
     monitor_.phase("factor");
-    const ScopedTimer timer(monitor_.ledger, "factor");
-    const auto offered = corrector().background;
-    corrector().factor = system_.factor(time_, corrector().background, monitor_.ledger);
-    fresh_ = corrector().background != offered;
+    const ScopedTimer timer(monitor_.timers, "factor");
+    const auto offered = corrector().reference;
+    corrector().factor = system_.factor(time_, corrector().reference, monitor_.timers);
+    fresh_ = corrector().reference != offered;
     corrector().is_exact = fresh_ && flow_.convection == 0;
     count(fresh_ ? "factorisations" : "zone_factorisations");
     if (fresh_) corrector().cost = 0;
@@ -149,7 +149,7 @@ class Iteration {
     const double left = std::log(target() / length_) / std::log(slowest_);
     const Corrector& corrector = iterate_.corrector;
     const double solve_cost = corrector.factor->solve_cost();
-    return left * solve_cost < corrector.background->factor->factor_cost() + 3 * solve_cost;
+    return left * solve_cost < corrector.reference->factor->factor_cost() + 3 * solve_cost;
   }
 
   void finish() {
@@ -179,14 +179,14 @@ class Iteration {
   double size() const { return iterate_.fields.u.norm(); }
   double relative(double length) const { return size() > 0 ? length / size() : 0; }
   Corrector& corrector() { return iterate_.corrector; }
-  void count(const char* what) { monitor_.ledger.counts[what] += 1; }
+  void count(const char* what) { monitor_.timers.counts[what] += 1; }
 
   System& system_;
   const Flow& flow_;
   const TimeTerms& time_;
   const scene::Newton& parameters_;
   Iterate& iterate_;
-  Monitor& monitor_;
+  Profiler& monitor_;
   const Vector weight_;
   Anderson anderson_;
   NewtonResult result_;
@@ -200,7 +200,7 @@ class Iteration {
 }  // namespace
 
 NewtonResult solve(System& system, const Flow& flow, const TimeTerms& time, const scene::Newton& parameters,
-                   Iterate& iterate, Monitor& monitor) {
+                   Iterate& iterate, Profiler& monitor) {
   return Iteration(system, flow, time, parameters, iterate, monitor).run();
 }
 

@@ -14,18 +14,18 @@
 namespace fpi::fluid {
 
 /// Where the time goes, and who wants to know what is being done.
-struct Monitor {
-  Ledger ledger;
+struct Profiler {
+  Timers timers;
   std::function<void(const char*)> phase = [](const char*) {};
 };
 
 /// What turns residuals into corrections.
 struct Corrector {
-  std::shared_ptr<const Factor> factor;          ///< null: to be made at the guess
-  std::shared_ptr<const Background> background;  ///< that the factor was made from, or is to be; null: none
+  std::shared_ptr<const Factor> factor;         ///< null: to be made at the guess
+  std::shared_ptr<const Background> reference;  ///< that the factor was made from, or is to be; null: none
   /// The problem is linear, and the factor is that of its very matrix.
   bool is_exact = false;
-  double cost = 0;  ///< of the background and all that was made from it and solved with it, see Factor
+  double cost = 0;  ///< of the reference and all that was made from it and solved with it, see Factor
 };
 
 /// A guess, and what corrects it.
@@ -44,6 +44,6 @@ struct NewtonResult {
 /// Improves `iterate` until what is left of the velocity's error is estimated below tolerance · |u|. A linear
 /// problem takes one correction with an exact factor. `iterate` is as good as it got where that fails.
 NewtonResult solve(System& system, const Flow& flow, const TimeTerms& time, const scene::Newton& parameters,
-                   Iterate& iterate, Monitor& monitor);
+                   Iterate& iterate, Profiler& monitor);
 
 }  // namespace fpi::fluid

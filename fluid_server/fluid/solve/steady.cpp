@@ -8,7 +8,7 @@
 namespace fpi::fluid {
 
 NewtonResult solve_steady(System& system, const Flow& flow, const scene::Newton& parameters, Iterate& iterate,
-                          Monitor& monitor) {
+                          Profiler& monitor) {
   constexpr double smallest_part = 1.0 / 128, on_the_way = 1e-3;  // the latter of the velocity
   const TimeTerms time = TimeTerms::steady(static_cast<Index>(iterate.fields.u.size() / 2));
   Flow now = flow;
@@ -33,7 +33,7 @@ NewtonResult solve_steady(System& system, const Flow& flow, const scene::Newton&
         "the steady flow at {:.3g} of the Reynolds number was not found ({}): going on from {:.3g} in "
         "smaller parts",
         now.convection, next.reason, reached);
-    monitor.ledger.counts["continuation_retreats"] += 1;
+    monitor.timers.counts["continuation_retreats"] += 1;
     now.convection = reached;
     iterate.fields = fields;
     iterate.corrector = {};

@@ -10,6 +10,6 @@ namespace fpi::fluid {
 /// the reason says up to which part of the Reynolds number one was, and where the equations are worst met
 /// beyond.
 NewtonResult solve_steady(System& system, const Flow& flow, const scene::Newton& parameters, Iterate& iterate,
-                          Monitor& monitor);
+                          Profiler& monitor);
 
 }  // namespace fpi::fluid

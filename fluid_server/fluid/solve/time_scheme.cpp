@@ -39,7 +39,8 @@ TimeTerms time_terms(const Scheme& scheme, const State& start, const Vector& dis
   terms.history = scheme.inertia * start.u + scheme.acceleration * start.acceleration;
   if (scheme.is_bdf2()) terms.history += scheme.before * (start.u - start.previous_u);
   if (displacement.size() == 0) return terms;
-  terms.drift = scheme.inertia * displacement - scheme.before * start.previous_step * start.drift;
+  terms.mesh_velocity =
+      scheme.inertia * displacement - scheme.before * start.previous_step * start.mesh_velocity;
   return terms;
 }
 

@@ -1,4 +1,4 @@
-/// Ledger and scoped timers.
+/// Timers and scoped timers.
 #include "core/timer.hpp"
 
 #include <gtest/gtest.h>
@@ -9,25 +9,25 @@ namespace fpi {
 namespace {
 
 TEST(ScopedTimer, adds_the_time_of_its_scope_under_its_name) {
-  Ledger ledger;
+  Timers timers;
   for (int i = 0; i < 2; ++i) {
-    const ScopedTimer timer(ledger, "sleep");
+    const ScopedTimer timer(timers, "sleep");
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  EXPECT_GE(ledger.seconds.at("sleep"), 0.010);
-  EXPECT_LT(ledger.seconds.at("sleep"), 5.0);
-  EXPECT_EQ(ledger.seconds.size(), 1u);
+  EXPECT_GE(timers.seconds.at("sleep"), 0.010);
+  EXPECT_LT(timers.seconds.at("sleep"), 5.0);
+  EXPECT_EQ(timers.seconds.size(), 1u);
 }
 
 TEST(ScopedTimer, nests) {
-  Ledger ledger;
+  Timers timers;
   {
-    const ScopedTimer outer(ledger, "outer");
-    const ScopedTimer inner(ledger, "inner");
+    const ScopedTimer outer(timers, "outer");
+    const ScopedTimer inner(timers, "inner");
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
-  EXPECT_GE(ledger.seconds.at("outer"), ledger.seconds.at("inner"));
-  EXPECT_GT(ledger.seconds.at("inner"), 0.0);
+  EXPECT_GE(timers.seconds.at("outer"), timers.seconds.at("inner"));
+  EXPECT_GT(timers.seconds.at("inner"), 0.0);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ inline scene::Scene make_scene(const std::vector<scene::Body>& bodies) {
 
 struct RunTest : testing::Test {
   TemporaryFolder folder;
-  Ledger ledger;
+  Timers timers;
   FakeFluid fluid;
   FakeDem dem;
 
@@ -65,7 +65,7 @@ struct RunTest : testing::Test {
   }
   CoupledRun make_run(const scene::Scene& scene) {
     return CoupledRun(scene, {scene.fluid ? &fluid : nullptr, scene.needs_dem() ? &dem : nullptr},
-                      folder.path(), 1, ledger);
+                      folder.path(), 1, timers);
   }
   /// The newest checkpoint; that of the end is the last.
   Checkpoint newest_checkpoint(const scene::Scene& scene) {

@@ -56,7 +56,7 @@ TEST_F(RunTest, resumed_at_its_checkpoint_a_run_ends_in_the_same_bits) {
   FakeFluid new_fluid;
   new_fluid.largest_step = fluid.largest_step;
   FakeDem other_dem = new_dem();
-  CoupledRun again(scene, {&new_fluid, &other_dem}, folder.path(), 2, ledger);
+  CoupledRun again(scene, {&new_fluid, &other_dem}, folder.path(), 2, timers);
   again.resume({}, last_checkpoint_before_the_end(scene));
   EXPECT_LT(history_lines(), run.statistics().steps());
   again.march();
@@ -99,7 +99,7 @@ TEST_F(RunTest, a_checkpoint_of_another_scene_is_refused_but_one_that_only_ends_
 void run_to_end(RunTest& test, const scene::Scene& scene, const std::optional<Checkpoint>& checkpoint = {}) {
   FakeFluid fluid;
   FakeDem dem = RunTest::new_dem();
-  CoupledRun run(scene, {&fluid, &dem}, test.folder.path(), 1, test.ledger);
+  CoupledRun run(scene, {&fluid, &dem}, test.folder.path(), 1, test.timers);
   checkpoint ? run.resume({}, *checkpoint) : run.start({});
   run.march();
 }

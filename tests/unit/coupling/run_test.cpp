@@ -56,7 +56,7 @@ TEST_F(RunTest, where_more_than_weight_acts_the_dem_gets_the_resistance_of_the_f
     FakeDem own_dem = new_dem();
     own_dem.damper = damper;
     TemporaryFolder own;
-    CoupledRun run(scene, {&own_fluid, &own_dem, true, true, true}, own.path(), 1, ledger);
+    CoupledRun run(scene, {&own_fluid, &own_dem, true, true, true}, own.path(), 1, timers);
     run.start({});
     run.march();
     double v = 0;
@@ -124,7 +124,7 @@ TEST_F(RunTest, the_geometry_is_cut_anew_where_a_body_was_missed_by_more_than_al
     FakeFluid own_fluid;
     FakeDem own_dem = new_dem();
     const TemporaryFolder own_folder;
-    CoupledRun run(scene, {&own_fluid, &own_dem}, own_folder.path(), 1, ledger);
+    CoupledRun run(scene, {&own_fluid, &own_dem}, own_folder.path(), 1, timers);
     run.start({});
     run.march();
     EXPECT_TRUE(above == 0 || run.statistics().largest_miss() <= above);
@@ -144,7 +144,7 @@ TEST_F(RunTest, a_body_is_cut_where_it_was_until_it_has_moved_by_what_is_allowed
     FakeFluid own_fluid;
     FakeDem own_dem = new_dem();
     const TemporaryFolder own_folder;
-    CoupledRun run(scene, {&own_fluid, &own_dem, true, true}, own_folder.path(), 1, ledger);
+    CoupledRun run(scene, {&own_fluid, &own_dem, true, true}, own_folder.path(), 1, timers);
     run.start({});
     run.march();
     std::vector<double> cut_at{own_fluid.asked[0].interfaces[0].centre[1]};

@@ -59,15 +59,15 @@ TEST(Friction, a_push_below_the_limit_stretches_the_spring_by_force_over_stiffne
   Solver solver(problem);
   const double weight = solver.model().bodies.mass[0] * g;
   // Force through the contact's height: friction takes it, and the torque keeps the sphere from turning.
-  const double push = 0.4 * 0.5 * weight;
-  const Load load{.body = 0, .force = {push, 0, 0}, .torque = {0, 0, 0.01 * push}};
+  const double force = 0.4 * 0.5 * weight;
+  const Load load{.body = 0, .force = {force, 0, 0}, .torque = {0, 0, 0.01 * force}};
   for (int i = 0; i < 200; ++i) step(solver, 1e-3, std::span(&load, 1));
   const PairLaw& law = solver.model().laws(0, 0);
   const double overlap = 0.01 - solver.motions().position[0].y();
   const double stiffness = 2 * law.tangential_ratio * law.normal * std::sqrt(0.01 * overlap);
   const double surface = solver.motions().position[0].x() +
                          0.01 * 2 * solver.motions().orientation[0].base.z();  // small rotation about z
-  EXPECT_NEAR(surface * stiffness / push, 1, 1e-4);
+  EXPECT_NEAR(surface * stiffness / force, 1, 1e-4);
   EXPECT_LT(solver.motions().velocity[0].norm(), 1e-6);
 }
 

@@ -1,4 +1,5 @@
-/// Films of liquid between grains: the law against exact solutions, and its stiff, implicit action.
+/// Films of liquid between grains: the law against exact solutions, and its stiff, implicit
+/// action.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +40,7 @@ TEST(LubricationLaw, of_unequal_discs_tends_to_that_of_a_wall) {
 }
 
 TEST(LubricationLaw, adds_nothing_to_a_resolved_gap_and_grows_without_a_jump) {
-  for (const FilmLaw law : {disc_film, sphere_film})
+  for (const LubricationFilm law : {disc_film, sphere_film})
     for (const double other : {1.0, infinite})
       for (const double resolved : {0.25, 0.0}) {
         const GapShape shape = gap_shape(1, other);

@@ -25,10 +25,10 @@ Solver settled_for(int steps) {
 
 TEST(Solver, advance_twice_is_bitwise_the_same) {
   Solver solver = settled_for(20);
-  const Load push{.body = 3, .force = {0.1, 0.2, 0}};
+  const Load force{.body = 3, .force = {0.1, 0.2, 0}};
   ASSERT_GT(solver.advance(dt, {}).contacts, 5u);
   const Motions first = solver.motions();
-  solver.advance(2 * dt, std::span(&push, 1));  // another trial in between
+  solver.advance(2 * dt, std::span(&force, 1));  // another trial in between
   EXPECT_FALSE(bitwise_equal(solver.motions(), first));
   solver.advance(dt, {});
   EXPECT_TRUE(bitwise_equal(solver.motions(), first));

@@ -13,7 +13,7 @@ inline constexpr double pi = std::numbers::pi;
 
 inline Interface circle(const Vec2& centre, double radius, int n_arcs) {
   Interface out;
-  out.outline = Disc{centre, radius};
+  out.surface = Disc{centre, radius};
   out.rigid.centre = centre;
   for (int a = 0; a < n_arcs; ++a) {
     out.start.push_back(2 * pi * a / n_arcs);

@@ -88,7 +88,7 @@ TEST(Cut, elements_inside_a_body_are_deactivated) {
   const CutMesh cut = cut_mesh(square.mesh, square.locator, bodies);
   for (Index c = 0; c < square.mesh.n_cells(); ++c)
     EXPECT_EQ(cut.state[c] == CellState::solid,
-              position(square.mesh.corners(c), bodies[0].outline) == Position::inside);
+              position(square.mesh.corners(c), bodies[0].surface) == Position::inside);
 }
 
 TEST(Cut, pieces_of_an_arc_add_up_to_it) {

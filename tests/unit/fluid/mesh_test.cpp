@@ -99,7 +99,7 @@ TEST(Locator, finds_the_triangle_of_every_point) {
 }
 
 TEST(Mesh, crowded_lines_are_symmetric_and_densest_at_the_sides) {
-  const auto uniform = crowded_lines(-1, 3, 8, 0), crowded = crowded_lines(-1, 3, 8, 1);
+  const auto uniform = graded_lines(-1, 3, 8, 0), crowded = graded_lines(-1, 3, 8, 1);
   for (int i = 0; i <= 8; ++i) {
     EXPECT_NEAR(uniform[i], -1 + 0.5 * i, 1e-14);
     EXPECT_NEAR(crowded[i], 1 - 2 * std::cos(std::numbers::pi * i / 8), 1e-14);

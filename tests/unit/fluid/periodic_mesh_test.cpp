@@ -7,9 +7,9 @@
 #include "core/error.hpp"
 #include "fluid/cut/ghost_penalty.hpp"
 #include "fluid/measure/profile.hpp"
+#include "fluid/mesh/colouring.hpp"
 #include "fluid/mesh/locator.hpp"
 #include "fluid/mesh/rectangle.hpp"
-#include "fluid/mesh/stripes.hpp"
 
 namespace fpi::fluid {
 namespace {
@@ -154,11 +154,11 @@ TEST(PeriodicMesh, places_are_found_and_profiles_go_on_any_number_of_periods_awa
 
 TEST(PeriodicMesh, stripes_of_the_same_kind_share_nothing_around_a_period) {
   const Mesh mesh = make_rectangle(uniform_lines(0, 3, 150), uniform_lines(0, 1, 50), {}, along_both);
-  const Stripes stripes = make_stripes(mesh);
-  EXPECT_GT(stripes.n, 8);
+  const Colouring colouring = make_colouring(mesh);
+  EXPECT_GT(colouring.n, 8);
   std::vector<std::array<std::set<int>, 2>> met(mesh.n_nodes());
   for (Index c = 0; c < mesh.n_cells(); ++c)
-    for (Index node : mesh.cell_nodes(c)) met[node][stripes.of_cell[c] % 2].insert(stripes.of_cell[c]);
+    for (Index node : mesh.cell_nodes(c)) met[node][colouring.of_cell[c] % 2].insert(colouring.of_cell[c]);
   for (const auto& [even, odd] : met) EXPECT_TRUE(even.size() <= 1 && odd.size() <= 1);
 }
 

@@ -54,18 +54,18 @@ double second_moment(const Shape& shape) {
 
 void expect_exact(const Square& square, const Shape& shape, const std::string& what) {
   const std::vector<Interface> bodies{outline_of(shape)};
-  const Outline& outline = bodies[0].outline;
+  const Surface& surface = bodies[0].surface;
   const CutMesh cut = cut_mesh(square.mesh, square.locator, bodies);
-  const double area = outline.area();
+  const double area = surface.area();
   EXPECT_NEAR(integrate(square.mesh, cut, [](const Vec2&) { return 1.0; }), 4 - area, 1e-12) << what;
   EXPECT_NEAR(integrate(square.mesh, cut, [](const Vec2& x) { return x.x(); }),
-              -area * outline.centroid().x(), 1e-12)
+              -area * surface.centroid().x(), 1e-12)
       << what;
   EXPECT_NEAR(integrate(square.mesh, cut, [](const Vec2& x) { return x.y() * x.y(); }),
               4.0 / 3 - second_moment(shape), 1e-12)
       << what;
   EXPECT_NEAR(arc_length(cut), perimeter(shape), 1e-12) << what;
-  const auto& lengths = cut.knots[0].lengths();
+  const auto& lengths = cut.multiplier_nodes[0].lengths();
   for (Index a = 0; a < cut.n_multipliers(); ++a)
     EXPECT_NEAR(cut.active_length[a], lengths[a], 1e-12) << what << ", multiplier " << a;
 }
@@ -119,11 +119,11 @@ TEST(PolygonCut, a_side_along_mesh_edges_belongs_to_the_fluid_beside_it) {
   const CutMesh cut = cut_mesh(square.mesh, square.locator, bodies);
   for (const ArcPiece& piece : cut.pieces) {
     const auto c = square.mesh.corners(piece.cell);
-    EXPECT_FALSE(bodies[0].outline.contains((c[0] + c[1] + c[2]) / 3));
+    EXPECT_FALSE(bodies[0].surface.contains((c[0] + c[1] + c[2]) / 3));
   }
   for (Index c = 0; c < square.mesh.n_cells(); ++c) {
     const auto k = square.mesh.corners(c);
-    EXPECT_EQ(cut.state[c] == CellState::solid, bodies[0].outline.contains((k[0] + k[1] + k[2]) / 3));
+    EXPECT_EQ(cut.state[c] == CellState::solid, bodies[0].surface.contains((k[0] + k[1] + k[2]) / 3));
   }
 }
 
@@ -156,16 +156,16 @@ TEST(PolygonCut, polygons_that_share_a_side_leave_no_edge_between_them) {
 }
 
 TEST(PolygonCut, vertices_within_sides_are_not_corners) {
-  const Interface outline = outline_of(moved(ell, {0.1, -0.3}, 0.7));
-  EXPECT_EQ(outline.outline.polygon()->size(), 6);
-  EXPECT_EQ(outline.n_arcs(), 22);
+  const Interface surface = outline_of(moved(ell, {0.1, -0.3}, 0.7));
+  EXPECT_EQ(surface.surface.polygon()->size(), 6);
+  EXPECT_EQ(surface.n_arcs(), 22);
   Shape turned = moved(square_shape, {0, 0}, 0);
   turned.insert(turned.begin(), {{-0.4, 0.1}, {-0.4, -0.1}});  // start within the last side
   Interface late;
   set_edges(late, turned);
-  EXPECT_EQ(late.outline.polygon()->size(), 4);
+  EXPECT_EQ(late.surface.polygon()->size(), 4);
   for (Index a = 0; a < late.n_arcs(); ++a)
-    EXPECT_LT((late.outline.at(late.start[a]) - turned[a]).norm(), 1e-15);
+    EXPECT_LT((late.surface.at(late.start[a]) - turned[a]).norm(), 1e-15);
   EXPECT_NO_THROW(check(std::vector<Interface>{late}));
 }
 
@@ -177,7 +177,7 @@ TEST(PolygonCut, an_outline_the_wrong_way_round_or_without_corners_is_refused) {
 }
 
 TEST(Uncovered, is_what_bodies_leave_of_a_segment) {
-  const std::vector<Outline> bodies{Disc{{0, 0}, 0.5}, Polygon{{{0.4, -1}, {2, -1}, {2, 1}, {0.4, 1}}}};
+  const std::vector<Surface> bodies{Disc{{0, 0}, 0.5}, Polygon{{{0.4, -1}, {2, -1}, {2, 1}, {0.4, 1}}}};
   EXPECT_TRUE(uncovered({-0.4, 0}, {1.9, 0.1}, bodies).empty());
   EXPECT_EQ(uncovered({5, 5}, {6, 6}, bodies).size(), 1u);
   const auto left = uncovered({-1, 0}, {3, 0}, bodies);
@@ -196,7 +196,7 @@ TEST(Polygons, what_lies_on_a_side_counts_as_covered_whichever_side_it_is) {
     };
     Interface body;
     set_edges(body, {turned({0.4, 0}), turned({1, 0}), turned({1, 0.5}), turned({0.4, 0.5})});
-    const std::vector<Outline> bodies{body.outline};
+    const std::vector<Surface> bodies{body.surface};
     for (const bool forwards : {true, false}) {
       const Vec2 a = turned({1, 0.3}), b = turned({1, 0.7});
       const auto left = forwards ? uncovered(a, b, bodies) : uncovered(b, a, bodies);

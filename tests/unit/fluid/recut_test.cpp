@@ -99,7 +99,7 @@ TEST(Recut, cuts_only_cells_that_a_moved_body_meets_or_met) {
 
   const auto meets_moved = [](const CutMesh& cut, Index cell) {
     return std::ranges::any_of(cut.images, [&](const Image& image) {
-      return image.interface == 2 && std::ranges::binary_search(image.footprint->cut, cell);
+      return image.interface == 2 && std::ranges::binary_search(image.intersected_cells->cut, cell);
     });
   };
   std::size_t anew = 0, new_faces = 0;

@@ -26,7 +26,7 @@ struct Flows {
     return fluid;
   }();
   Space space{make_rectangle(uniform_lines(-1, 1, 32), uniform_lines(-1, 1, 32)), parameters.boundaries};
-  Ledger ledger;
+  Timers timers;
 
   static constexpr double inertia = 50;
   TimeTerms time = [this] {
@@ -43,7 +43,7 @@ struct Flows {
       discs.back().body = static_cast<Index>(discs.size());
       if (are_free) discs.back().balance = Balance{2, 0.1, {0.3, -1}, 0.2};
     }
-    auto system = std::make_unique<System>(space, parameters, discs, CutMesh{}, ledger);
+    auto system = std::make_unique<System>(space, parameters, discs, CutMesh{}, timers);
     const auto [u, p, lambda, rigid, drive] = system->no_residual();
     Fields fields{u, p, lambda, rigid, drive};
     for (Index node = 0; node < space.mesh.n_nodes(); ++node)
@@ -52,11 +52,11 @@ struct Flows {
     return system;
   }
 
-  std::shared_ptr<const Background> background(System& system) {
-    return std::make_shared<Background>(system.factor_of_matrix(ledger), layout(system));
+  std::shared_ptr<const Background> reference(System& system) {
+    return std::make_shared<Background>(system.factor_of_matrix(timers), layout(system));
   }
   Layout layout(const System& system) const {
-    return {system.interfaces(), system.cut(), system.numbering(), time.drift, inertia};
+    return {system.interfaces(), system.cut(), system.numbering(), time.mesh_velocity, inertia};
   }
 };
 
@@ -84,13 +84,13 @@ TEST(ZoneCorrection, converges_as_fast_however_far_a_body_went) {
   for (const bool is_free : {false, true}) {
     Flows flows;
     const auto before = flows.system({{-0.4, 0.3}, {0.5, -0.4}}, is_free);
-    const auto background = flows.background(*before);
+    const auto reference = flows.reference(*before);
     for (const double distance : {0.01, 0.1, 0.4}) {
       const auto after = flows.system({{-0.4 + distance, 0.3 - 0.5 * distance}, {0.5, -0.4}}, is_free);
       const auto corrected =
-          with_zone_correction(background, flows.space.mesh, flows.layout(*after), after->matrix(), "auto");
+          with_zone_correction(reference, flows.space.mesh, flows.layout(*after), after->matrix(), "auto");
       ASSERT_TRUE(corrected) << distance;
-      EXPECT_LE(corrections(*after, *corrected, *after->factor_of_matrix(flows.ledger)), 10) << distance;
+      EXPECT_LE(corrections(*after, *corrected, *after->factor_of_matrix(flows.timers)), 10) << distance;
     }
   }
 }
@@ -98,7 +98,7 @@ TEST(ZoneCorrection, converges_as_fast_however_far_a_body_went) {
 TEST(ZoneCorrection, solves_with_the_transposed_too) {
   Flows flows;
   const auto before = flows.system({{-0.4, 0.3}}, true), after = flows.system({{-0.3, 0.2}}, true);
-  const auto corrected = with_zone_correction(flows.background(*before), flows.space.mesh,
+  const auto corrected = with_zone_correction(flows.reference(*before), flows.space.mesh,
                                               flows.layout(*after), after->matrix(), "auto");
   ASSERT_TRUE(corrected);
   const Vector b = random_vector(after->matrix().n(), 1), c = random_vector(after->matrix().n(), 2);
@@ -142,9 +142,9 @@ TEST(ZoneCorrection, its_zone_holds_what_a_body_that_begins_to_creep_changes) {
   const std::vector<Vec2> places{{-0.4, 0.3}, {0.5, -0.4}};
   const auto before = flows.system(places, true);
   const Layout from = flows.layout(*before);
-  flows.time.drift = Vector::Zero(2 * flows.space.mesh.n_nodes());
+  flows.time.mesh_velocity = Vector::Zero(2 * flows.space.mesh.n_nodes());
   for (Index node = 0; node < flows.space.mesh.n_nodes(); ++node)
-    if (flows.space.mesh.node_position(node).x() < 0) flows.time.drift[2 * node] = 1e-9;
+    if (flows.space.mesh.node_position(node).x() < 0) flows.time.mesh_velocity[2 * node] = 1e-9;
   const auto after = flows.system(places, true);
   expect_zone_holds_what_differs(from, *before, flows.layout(*after), *after, 1e-6);
 }
@@ -153,10 +153,10 @@ TEST(ZoneCorrection, goes_on_without_a_body_that_left) {
   Flows flows;
   const auto before = flows.system({{-0.4, 0.3}, {0.5, -0.4}}, false),
              after = flows.system({{-0.4, 0.3}}, false);
-  const auto corrected = with_zone_correction(flows.background(*before), flows.space.mesh,
+  const auto corrected = with_zone_correction(flows.reference(*before), flows.space.mesh,
                                               flows.layout(*after), after->matrix(), "auto");
   ASSERT_TRUE(corrected);
-  EXPECT_LE(corrections(*after, *corrected, *after->factor_of_matrix(flows.ledger)), 10);
+  EXPECT_LE(corrections(*after, *corrected, *after->factor_of_matrix(flows.timers)), 10);
 }
 
 TEST(ZoneCorrection, is_declined_where_nearly_all_moved_or_the_pressure_is_given_elsewhere) {
@@ -166,14 +166,14 @@ TEST(ZoneCorrection, is_declined_where_nearly_all_moved_or_the_pressure_is_given
   const auto before = flows.system(places, false);
   for (Vec2& place : places) place += Vec2(0.02, 0.01);
   const auto after = flows.system(places, false);
-  const auto background = flows.background(*before);
+  const auto reference = flows.reference(*before);
   EXPECT_FALSE(
-      with_zone_correction(background, flows.space.mesh, flows.layout(*after), after->matrix(), "auto"));
+      with_zone_correction(reference, flows.space.mesh, flows.layout(*after), after->matrix(), "auto"));
 
   Layout elsewhere = flows.layout(*flows.system({{-0.4, 0.3}}, false));
   const auto one = flows.system({{-0.4, 0.3}}, false), moved = flows.system({{-0.3, 0.3}}, false);
   elsewhere.numbering.pinned.push_back(3);
-  const auto pinned = std::make_shared<Background>(one->factor_of_matrix(flows.ledger), elsewhere);
+  const auto pinned = std::make_shared<Background>(one->factor_of_matrix(flows.timers), elsewhere);
   EXPECT_FALSE(with_zone_correction(pinned, flows.space.mesh, flows.layout(*moved), moved->matrix(), "auto"));
 }
 

@@ -184,7 +184,7 @@ TEST(Codec, refuses_what_breaks_a_rule) {
       {advance([](Interface& m) { m.end[1] = 9; }), "by one turn at most"},
       {advance([](Interface& m) { m.radius = 0; }), "start must be given where radius > 0, and only there"},
       {advance([](Interface& m) { m.vertices = {0, 0, 1, 0, 0, 1}; }), "and empty elsewhere"},
-      {advance([](Interface& m) { m = samples::outline(), m.vertices.pop_back(); }),
+      {advance([](Interface& m) { m = samples::surface(), m.vertices.pop_back(); }),
        "three or more vertices"},
       {advance([](Interface& m) { m.points = 0; }), "points must be > 0 where the motion is not rigid"},
       {advance([](Interface& m) { m.velocities.pop_back(); }), "2 * points * arcs = 8 numbers; got 7"},

@@ -23,7 +23,7 @@ Interface arcs() {
           .velocities = {1, 2, 3, 4, 5, 6, 7, 8}};
 }
 
-Interface outline() {
+Interface surface() {
   return {.body = 5,
           .vertices = {0, 0, 1, 0, 0, 1},
           .points = 1,
@@ -64,7 +64,7 @@ std::vector<Envelope> all() {
       Refusal{"the role is taken"},
       Configure{"[fluid]\ndensity = 1 # µ\n", {{"channel.msh", {1, 2, 3, 255}}}, {9, 8}},
       Configured{{{0, 0.1}, {1, 0.2}}, 0.01, {"no convection", "one factor"}, figures, findings},
-      FluidAdvance{0.3, 0.1, {arcs(), outline()}, false, true, true},
+      FluidAdvance{0.3, 0.1, {arcs(), surface()}, false, true, true},
       FluidAdvanced{true, "well", {traction, traction}, 4, 1e-9, 2e-4, 3, {1, 2, 3, 4}, 0.7, findings},
       DemAdvance{
           0.3, 0.1, {load}, {motion(), motion()}, {0.01, 0.02}, {motion()}, std::vector<double>(9, 0.5)},

@@ -11,7 +11,7 @@ namespace fpi::proto::samples {
 std::vector<Envelope> all();
 Motion motion();
 Interface arcs();
-Interface outline();
+Interface surface();
 
 inline bool same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);

@@ -26,7 +26,7 @@ TEST(Conservation, a_free_spin_about_any_axis_keeps_its_rotation_orthogonal_over
   EXPECT_EQ(solver.motions().spin[0], spin);
 }
 
-/// Thirty spheres of several sizes that fly towards each other, spinning.
+/// Thirty spheres of several sizes that take free flight towards each other, spinning.
 Problem swarm() {
   Problem problem;
   problem.materials = {material(1e7, 0.3, 0.7, 0.4, 0.05)};

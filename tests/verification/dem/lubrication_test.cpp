@@ -42,7 +42,7 @@ Interface disc(Index body, const Vec2& centre, double finest, double narrow, dou
                double spin) {
   Interface out;
   out.body = body;
-  out.outline = Disc{centre, 1};
+  out.surface = Disc{centre, 1};
   out.rigid = {centre, velocity, spin};
   std::vector<double> angle = distances(pi, arc_ratio * finest, narrow, arc_ratio * h, pi);
   const double last = angle.back();

@@ -23,7 +23,7 @@ void march(NavierStokes& solver, double time_step, int first, int last,
   }
 }
 
-double counted(NavierStokes& solver, const char* what) { return solver.monitor.ledger.counts[what]; }
+double counted(NavierStokes& solver, const char* what) { return solver.monitor.timers.counts[what]; }
 
 TEST(Effort, a_hundred_steps_of_stokes_flow_take_one_factorisation_after_the_start) {
   auto s = channel(1, "4*y*(1-y)*sin(t)");

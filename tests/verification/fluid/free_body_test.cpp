@@ -23,7 +23,7 @@ Settings closed_box() {
 Interface falling(Index body, const Vec2& centre, double density_ratio, const RigidVelocity& rigid) {
   Interface disc = circle(body, centre, radius, 0.05);
   disc.rigid = {centre, rigid.translation, rigid.spin};
-  const double mass = density_ratio * density * disc.outline.area();
+  const double mass = density_ratio * density * disc.surface.area();
   const double inertia = 0.5 * mass * radius * radius;
   disc.balance = {.mass_rate = mass / time_step,
                   .inertia_rate = inertia / time_step,
@@ -122,7 +122,7 @@ TEST(FreeBody, resistance_and_factor_are_kept_while_no_body_is_moved) {
     ASSERT_TRUE(results.back().newton.converged) << results.back().newton.reason;
     solver.accept();
   }
-  EXPECT_EQ(solver.monitor.ledger.counts["factorisations"], 1);
+  EXPECT_EQ(solver.monitor.timers.counts["factorisations"], 1);
   ASSERT_EQ(results[2].resistance.rows(), 6);
   EXPECT_EQ(results[2].resistance, results[0].resistance);
 }

@@ -80,8 +80,8 @@ TEST(MovingBody, a_flow_that_moves_with_the_body_has_no_history) {
   }
 }
 
-/// Rigid rotation is Stokes flow, steady in space; its history along the paths of a turning bar is all drift,
-/// to the interpolation of the paths themselves.
+/// Rigid rotation is Stokes flow, steady in space; its history along the paths of a turning bar is all mesh
+/// velocity, to the interpolation of the paths themselves.
 TEST(MovingBody, a_stokes_flow_that_turns_with_a_bar_exerts_nothing_on_it) {
   const scene::Boundary turning = velocity("-2*y", "2*x");
   auto s = settings(1, 0.2, {{"left", turning}, {"right", turning}, {"bottom", turning}, {"top", turning}});

@@ -99,12 +99,12 @@ inline Worst couette_errors(int elements_per_diameter, int n_places) {
     double level = 0;  // of the pressure, which is free
     std::vector<Vec2> tractions;
     for (Index i = 0; i < disc.n_arcs(); ++i) {
-      const Vec2 out = disc.outline.at(0.5 * (disc.start[i] + disc.end[i])) - centre;
+      const Vec2 out = disc.surface.at(0.5 * (disc.start[i] + disc.end[i])) - centre;
       tractions.push_back(result.tractions[0].lambda[i] - shear * Vec2(-out.y(), out.x()));
       level += tractions.back().dot(out) / disc.n_arcs();
     }
     for (Index i = 0; i < disc.n_arcs(); ++i) {
-      const Vec2 out = disc.outline.at(0.5 * (disc.start[i] + disc.end[i])) - centre;
+      const Vec2 out = disc.surface.at(0.5 * (disc.start[i] + disc.end[i])) - centre;
       note(worst, "traction", (tractions[i] - level * out).norm() / shear);
     }
     for (int i = 0; i < 100; ++i) {

@@ -256,8 +256,8 @@ TEST(Percolation, porosity_and_wetted_surface_are_those_of_the_circles) {
   ASSERT_TRUE(solve_steady(solver, discs).newton.converged);
   double area = 0, length = 0;
   for (const Interface& grain : discs) {
-    area += grain.outline.area();
-    length += 2 * std::sqrt(pi * grain.outline.area());
+    area += grain.surface.area();
+    length += 2 * std::sqrt(pi * grain.surface.area());
   }
   EXPECT_NEAR(solver.pore_flow().porosity(), 1 - area, 1e-8);
   EXPECT_NEAR(solver.pore_flow().specific_surface(), length, 1e-8);

@@ -17,7 +17,7 @@ std::vector<Vec2> box(double x0, double y0, double x1, double y1) {
 double traction_error(const Interface& body, const BodyTraction& result, const Vec2& exact) {
   double worst = 0;
   for (Index a = 0; a < body.n_arcs(); ++a) {
-    const Vec2 middle = body.outline.at(0.5 * (body.start[a] + body.end[a]));
+    const Vec2 middle = body.surface.at(0.5 * (body.start[a] + body.end[a]));
     if ((middle.array() > 0).all() && (middle.array() < 1).all())
       worst = std::max(worst, (result.lambda[a] - exact).norm());
   }

@@ -49,7 +49,7 @@ Extent extent(const NavierStokes& solver, const std::vector<Interface>& bodies, 
   for (Index node = 0; node < solver.mesh().n_nodes(); ++node) {
     const Vec2 x = solver.mesh().node_position(node);
     const bool covered = std::any_of(bodies.begin(), bodies.end(),
-                                     [&](const Interface& body) { return body.outline.contains(x); });
+                                     [&](const Interface& body) { return body.surface.contains(x); });
     if (!covered) out.velocity = std::max(out.velocity, solver.state().u.segment<2>(2 * node).norm());
   }
   out.pressure = solver.state().p.cwiseAbs().maxCoeff();

@@ -21,7 +21,7 @@ std::vector<Disc> touching_packing(unsigned seed) {
   double area = 0;
   for (int i = 0; i < n_grains; ++i) {
     grains.push_back({{unit(random), unit(random)}, 0.7 + 0.7 * unit(random)});
-    area += Outline(grains.back()).area();
+    area += Surface(grains.back()).area();
   }
   for (Disc& grain : grains) grain.radius *= std::sqrt(solid_fraction / area);
   double overlap = 1;

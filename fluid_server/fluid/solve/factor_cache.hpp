@@ -1,5 +1,5 @@
 /// The factor that one step leaves to the next, to be used as it is or, where bodies have moved, as the
-/// background of another. It is kept until a step with it costs more than its steps did on average, its
+/// reference of another. It is kept until a step with it costs more than its steps did on average, its
 /// making included: from there on the average would rise, so a new factor is cheaper.
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace fpi::fluid {
 
-class KeptFactor {
+class FactorCache {
  public:
-  /// For a step of this inertia [1/s], a fifth more or less than that of the background. Another system than
-  /// the one that left it gets the background alone.
+  /// For a step of this inertia [1/s], a fifth more or less than that of the reference. Another system than
+  /// the one that left it gets the reference alone.
   Corrector lend(double inertia, bool is_same_system) const;
   /// Takes what an accepted step ended with.
   void take(const Corrector& corrector);
@@ -21,7 +21,7 @@ class KeptFactor {
 
  private:
   Corrector corrector_;
-  unsigned steps_ = 0;  // that its background has served
+  unsigned steps_ = 0;  // that its reference has served
   bool is_forgotten_ = false;
 };
 

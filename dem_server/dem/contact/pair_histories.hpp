@@ -1,4 +1,4 @@
-/// The memories of the contacts between bodies while sub-steps run: one for each listed pair, in the list's
+/// The histories of the contacts between bodies while sub-steps run: one for each listed pair, in the list's
 /// order. Between steps only those of touching pairs are kept, by the bodies' numbers in the scene.
 #pragma once
 
@@ -6,13 +6,13 @@
 
 namespace fpi::dem {
 
-struct PairMemories {
-  std::vector<Record> slip;            ///< Memory::slip [m], and stretch of the twisting spring [rad]
+struct PairHistories {
+  std::vector<Record> slip;            ///< ContactHistory::slip [m], and stretch of the twisting spring [rad]
   std::vector<Record> roll;            ///< of the rolling spring [rad]; empty where nothing turns against it
   std::vector<std::uint8_t> touching;  ///< 1 or 0; springs of other pairs mean nothing. Padded by the lanes
 
   /// `contacts` of pairs that are not listed are forgotten.
-  PairMemories(const ContactList<Pair>& contacts, const Neighbours& neighbours, bool turning);
+  PairHistories(const ContactList<Pair>& contacts, const Neighbours& neighbours, bool turning);
   ContactList<Pair> collect(const Neighbours& neighbours) const;
 };
 

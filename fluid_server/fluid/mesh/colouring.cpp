@@ -1,4 +1,4 @@
-#include "fluid/mesh/stripes.hpp"
+#include "fluid/mesh/colouring.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -6,8 +6,8 @@
 namespace fpi::fluid {
 namespace {
 
-constexpr int most_stripes = 16;
-constexpr int fewest_cells = 1000;  ///< of a stripe: fewer are done before a thread has started
+constexpr int most_colours = 16;
+constexpr int fewest_cells = 1000;  ///< of a colour: fewer are done before a thread has started
 
 /// Cells from one end of the longer side of the mesh to the other.
 std::vector<Index> along_the_longer_side(const Mesh& mesh) {
@@ -28,31 +28,31 @@ std::vector<Index> along_the_longer_side(const Mesh& mesh) {
   return order;
 }
 
-/// True where no vertex has cells of two even stripes, or of two odd ones.
-bool alike_are_apart(const Mesh& mesh, const Stripes& stripes) {
-  constexpr std::uint8_t none = most_stripes;
+/// True where no vertex has cells of two even colours, or of two odd ones.
+bool alike_are_apart(const Mesh& mesh, const Colouring& colouring) {
+  constexpr std::uint8_t none = most_colours;
   std::vector<std::array<std::uint8_t, 2>> met(mesh.n_vertices(), {none, none});
   for (Index c = 0; c < mesh.n_cells(); ++c)
     for (Index v : mesh.cell_vertices(c)) {
-      const std::uint8_t stripe = stripes.of_cell[c];
-      std::uint8_t& alike = met[v][stripe % 2];
-      if (alike != none && alike != stripe) return false;
-      alike = stripe;
+      const std::uint8_t colour = colouring.of_cell[c];
+      std::uint8_t& alike = met[v][colour % 2];
+      if (alike != none && alike != colour) return false;
+      alike = colour;
     }
   return true;
 }
 
 }  // namespace
 
-Stripes make_stripes(const Mesh& mesh) {
+Colouring make_colouring(const Mesh& mesh) {
   const std::vector<Index> order = along_the_longer_side(mesh);
-  Stripes stripes{std::clamp(mesh.n_cells() / fewest_cells, 1, most_stripes), {}};
-  if (stripes.n > 1) stripes.n -= stripes.n % 2;  // around a period the last one meets the first
-  for (;; stripes.n /= 2) {
-    stripes.of_cell.resize(order.size());
+  Colouring colouring{std::clamp(mesh.n_cells() / fewest_cells, 1, most_colours), {}};
+  if (colouring.n > 1) colouring.n -= colouring.n % 2;  // around a period the last one meets the first
+  for (;; colouring.n /= 2) {
+    colouring.of_cell.resize(order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
-      stripes.of_cell[order[k]] = static_cast<std::uint8_t>(k * stripes.n / order.size());
-    if (stripes.n == 1 || alike_are_apart(mesh, stripes)) return stripes;
+      colouring.of_cell[order[k]] = static_cast<std::uint8_t>(k * colouring.n / order.size());
+    if (colouring.n == 1 || alike_are_apart(mesh, colouring)) return colouring;
   }
 }
 

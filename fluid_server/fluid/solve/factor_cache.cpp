@@ -1,12 +1,12 @@
-#include "fluid/solve/kept_factor.hpp"
+#include "fluid/solve/factor_cache.hpp"
 
 #include <cmath>
 
 namespace fpi::fluid {
 
-Corrector KeptFactor::lend(double inertia, bool is_same_system) const {
-  if (!corrector_.background) return {};
-  const double before = corrector_.background->layout.inertia;
+Corrector FactorCache::lend(double inertia, bool is_same_system) const {
+  if (!corrector_.reference) return {};
+  const double before = corrector_.reference->layout.inertia;
   if (std::abs(inertia - before) > 0.2 * before) return {};
   Corrector lent = corrector_;
   lent.is_exact = lent.is_exact && is_same_system && inertia == before;
@@ -17,8 +17,8 @@ Corrector KeptFactor::lend(double inertia, bool is_same_system) const {
   return lent;
 }
 
-void KeptFactor::take(const Corrector& corrector) {
-  const bool is_new = is_forgotten_ || corrector.background != corrector_.background;
+void FactorCache::take(const Corrector& corrector) {
+  const bool is_new = is_forgotten_ || corrector.reference != corrector_.reference;
   const double of_step = corrector.cost - (is_new ? 0 : corrector_.cost);
   steps_ = is_new ? 1 : steps_ + 1;
   corrector_ = of_step > corrector.cost / steps_ ? Corrector{} : corrector;

@@ -1,28 +1,28 @@
-#include "coupling/balance_forecast.hpp"
+#include "coupling/predicted_force.hpp"
 
 #include <Eigen/LU>
 #include <utility>
 
 namespace fpi::coupling {
 
-BalanceForecast::BalanceForecast(const Eigen::VectorXd& mass, const Eigen::VectorXd& displaced)
+PredictedForce::PredictedForce(const Eigen::VectorXd& mass, const Eigen::VectorXd& displaced)
     : mass_(mass + displaced) {
   now_ = mean_ = drive_ = drive_rise_ = Eigen::VectorXd::Zero(mass_.size());
 }
 
-double BalanceForecast::gamma(double time_step) const {
+double PredictedForce::gamma(double time_step) const {
   const double r = step_ > 0 ? time_step / step_ : 0;
   return (1 + r) / (1 + 2 * r);
 }
 
 /// h, from velocities V_n.
-Eigen::VectorXd BalanceForecast::momentum(double time_step, const Eigen::VectorXd& velocities) const {
+Eigen::VectorXd PredictedForce::momentum(double time_step, const Eigen::VectorXd& velocities) const {
   return mass_.cwiseProduct(velocities) / time_step + (1 - gamma(time_step)) * mean_;
 }
 
-void BalanceForecast::accept(double time_step, const Eigen::VectorXd& before,
-                             const Eigen::VectorXd& velocities, const Eigen::VectorXd& forces,
-                             Eigen::MatrixXd resistance) {
+void PredictedForce::accept(double time_step, const Eigen::VectorXd& before,
+                            const Eigen::VectorXd& velocities, const Eigen::VectorXd& forces,
+                            Eigen::MatrixXd resistance) {
   const double g = gamma(time_step);
   const bool knew = knows();
   resistance_ = std::move(resistance);
@@ -37,7 +37,7 @@ void BalanceForecast::accept(double time_step, const Eigen::VectorXd& before,
   gamma_ = g;
 }
 
-void BalanceForecast::take_out(std::span<const Eigen::Index> unknowns) {
+void PredictedForce::take_out(std::span<const Eigen::Index> unknowns) {
   for (const Eigen::Index i : unknowns) {
     now_[i] = mean_[i] = 0;
     if (!knows()) continue;
@@ -46,7 +46,7 @@ void BalanceForecast::take_out(std::span<const Eigen::Index> unknowns) {
   }
 }
 
-Eigen::MatrixXd BalanceForecast::resistance(double time_step) const {
+Eigen::MatrixXd PredictedForce::resistance(double time_step) const {
   const double ratio = gamma(time_step) / gamma_;
   Eigen::MatrixXd resistance = ratio * resistance_;
   for (Eigen::Index i = 0; i < mass_.size(); ++i)
@@ -54,7 +54,7 @@ Eigen::MatrixXd BalanceForecast::resistance(double time_step) const {
   return resistance;
 }
 
-Eigen::VectorXd BalanceForecast::velocities(double time_step, const Eigen::VectorXd& forces) const {
+Eigen::VectorXd PredictedForce::velocities(double time_step, const Eigen::VectorXd& forces) const {
   Eigen::MatrixXd matrix = resistance(time_step);
   const Eigen::VectorXd drive = drive_ + trend * time_step / step_ * drive_rise_;
   Eigen::VectorXd given = momentum(time_step, now_) + gamma(time_step) * drive + forces;
@@ -67,7 +67,7 @@ Eigen::VectorXd BalanceForecast::velocities(double time_step, const Eigen::Vecto
 }
 
 /// Δt, γ, D and, where a resistance is known, the other vectors and its columns.
-std::vector<double> BalanceForecast::state() const {
+std::vector<double> PredictedForce::state() const {
   std::vector<double> state{step_, gamma_};
   state.insert(state.end(), mean_.begin(), mean_.end());
   if (!knows()) return state;
@@ -78,7 +78,7 @@ std::vector<double> BalanceForecast::state() const {
   return state;
 }
 
-void BalanceForecast::set_state(std::span<const double> state) {
+void PredictedForce::set_state(std::span<const double> state) {
   const auto n = static_cast<std::size_t>(mass_.size());
   const auto take = [&state, n] {
     const Eigen::VectorXd part =

@@ -13,10 +13,10 @@
 
 namespace fpi {
 
-class Words {
+class Tokenizer {
  public:
   /// `name` stands for the text in errors, which end with the `remedy`.
-  Words(std::string_view text, const std::string& name, const std::string& remedy)
+  Tokenizer(std::string_view text, const std::string& name, const std::string& remedy)
       : text_(without_byte_order_mark(text)), name_(name), remedy_(remedy) {}
 
   bool at_end() {

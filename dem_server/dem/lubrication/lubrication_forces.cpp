@@ -1,4 +1,4 @@
-#include "dem/lubrication/films.hpp"
+#include "dem/lubrication/lubrication_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,8 @@ Resistance unresolved_film(const Model& model, const Near& near, double gap, dou
 
 }  // namespace
 
-Films::Films(const Model& model, const SharedInertia& inertia, std::span<const double> resolved_gaps)
+LubricationForces::LubricationForces(const Model& model, const SharedInertia& inertia,
+                                     std::span<const double> resolved_gaps)
     : model_(model), inertia_(inertia), resolved_gaps_(resolved_gaps), row_(model.bodies.size(), -1) {
   if (model.lubricant.viscosity == 0) return;
   axes_ = model.plane ? std::vector{0, 1, 5} : std::vector{0, 1, 2, 3, 4, 5};
@@ -46,13 +47,13 @@ Films::Films(const Model& model, const SharedInertia& inertia, std::span<const d
   reach_ = *std::ranges::max_element(widest);
 }
 
-double Films::resolved_gap(const Near& near) const {
+double LubricationForces::resolved_gap(const Near& near) const {
   if (resolved_gaps_.empty()) return 0;
   const double a = resolved_gaps_[near.a];
   return near.wall() ? a : 0.5 * (a + resolved_gaps_[near.b]);
 }
 
-double Films::longest_step(const State& state, const Forces& loads) const {
+double LubricationForces::longest_step(const State& state, const Forces& loads) const {
   double longest = std::numeric_limits<double>::infinity();
   if (reach_ == 0) return longest;
   each_near(model_, state, [&](const Near& near) {
@@ -72,7 +73,7 @@ double Films::longest_step(const State& state, const Forces& loads) const {
   return longest;
 }
 
-void Films::place(const State& state) {
+void LubricationForces::place(const State& state) {
   dampers_.clear();
   if (reach_ == 0) return;
   each_acting(model_, state, reach_, [&](const Near& near) {
@@ -83,7 +84,7 @@ void Films::place(const State& state) {
 
 /// With the centres D apart the line of centres turns at ω_L = (v_b − v_a)·t/D about e = n × t; a wall is a
 /// body with an infinite radius, whose line of centres does not turn.
-void Films::add_dampers(const Near& near, const Resistance& film) {
+void LubricationForces::add_dampers(const Near& near, const Resistance& film) {
   const bool wall = near.wall();
   const double ratio = model_.lubricant.radius_ratio, Ra = ratio * model_.bodies.radius[near.a];
   const double Rb = wall ? 0 : ratio * model_.bodies.radius[near.b];
@@ -108,7 +109,7 @@ void Films::add_dampers(const Near& near, const Resistance& film) {
   if (!model_.plane) add_along(n.cross(t));
 }
 
-void Films::number_bodies() {
+void LubricationForces::number_bodies() {
   n_rows_ = 0;
   std::ranges::fill(row_, -1);
   for (const Damper& damper : dampers_)
@@ -120,7 +121,7 @@ void Films::number_bodies() {
 }
 
 /// M + Δt Σ c g gᵀ over the free bodies that a film touches.
-void Films::prepare(double duration) {
+void LubricationForces::prepare(double duration) {
   if (empty()) return;
   duration_ = duration;
   number_bodies();
@@ -149,8 +150,8 @@ void Films::prepare(double duration) {
   factor_.compute(matrix);
 }
 
-double Films::rate(const Damper& damper, const std::vector<Vec3>& velocity,
-                   const std::vector<Vec3>& spin) const {
+double LubricationForces::rate(const Damper& damper, const std::vector<Vec3>& velocity,
+                               const std::vector<Vec3>& spin) const {
   double sum = -damper.wall_rate;
   each_body(damper, [&](std::uint32_t i, const Vec6& along) {
     sum += along.head<3>().dot(velocity[i]) + along.tail<3>().dot(spin[i]);
@@ -158,7 +159,7 @@ double Films::rate(const Damper& damper, const std::vector<Vec3>& velocity,
   return sum;
 }
 
-double Films::rate(const Damper& damper, const Eigen::VectorXd& change) const {
+double LubricationForces::rate(const Damper& damper, const Eigen::VectorXd& change) const {
   double sum = 0;
   each_body(damper, [&](std::uint32_t i, const Vec6& along) {
     if (row_[i] < 0) return;
@@ -168,7 +169,7 @@ double Films::rate(const Damper& damper, const Eigen::VectorXd& change) const {
   return sum;
 }
 
-void Films::add_impulse(const Damper& damper, double impulse, Eigen::VectorXd& to) const {
+void LubricationForces::add_impulse(const Damper& damper, double impulse, Eigen::VectorXd& to) const {
   each_body(damper, [&](std::uint32_t i, const Vec6& along) {
     if (row_[i] < 0) return;
     for (std::size_t k = 0; k < axes_.size(); ++k)
@@ -178,7 +179,7 @@ void Films::add_impulse(const Damper& damper, double impulse, Eigen::VectorXd& t
 
 /// (M + Δt Z) v₁ = M v₀ gives the dampers' rates at the end; their impulses, equal and opposite to the last
 /// bit, are what the bodies get, so that momentum does not depend on how well the equations were solved.
-void Films::damp(std::vector<Vec3>& velocity, std::vector<Vec3>& spin) const {
+void LubricationForces::damp(std::vector<Vec3>& velocity, std::vector<Vec3>& spin) const {
   if (empty()) return;
   std::vector<double> impulses;
   Eigen::VectorXd first = Eigen::VectorXd::Zero(n_rows_);
@@ -189,16 +190,16 @@ void Films::damp(std::vector<Vec3>& velocity, std::vector<Vec3>& spin) const {
   const Eigen::VectorXd change = changes(first);
   for (std::size_t d = 0; d < dampers_.size(); ++d)
     impulses[d] -= duration_ * dampers_[d].c * rate(dampers_[d], change);
-  push(impulses, velocity, spin);
+  force(impulses, velocity, spin);
 }
 
 /// What the velocities change by where the dampers would exert `impulses` if they did not: v₁ − v₀.
-Eigen::VectorXd Films::changes(const Eigen::VectorXd& impulses) const {
+Eigen::VectorXd LubricationForces::changes(const Eigen::VectorXd& impulses) const {
   return inertia_.empty() ? Eigen::VectorXd(factor_.solve(impulses)) : changes_together(impulses);
 }
 
 /// With Y the answer of all bodies together: (1 + Y Δt Z) (v₁ − v₀) = Y · impulses.
-Eigen::VectorXd Films::changes_together(const Eigen::VectorXd& impulses) const {
+Eigen::VectorXd LubricationForces::changes_together(const Eigen::VectorXd& impulses) const {
   constexpr double tolerance = 1e-10;
   constexpr int most = 200;
   const auto apply = [this](const Eigen::VectorXd& change) -> Eigen::VectorXd {
@@ -214,7 +215,7 @@ Eigen::VectorXd Films::changes_together(const Eigen::VectorXd& impulses) const {
 }
 
 /// Changes of the velocities of the bodies that a film touches under impulses on them.
-Eigen::VectorXd Films::answer(const Eigen::VectorXd& impulses) const {
+Eigen::VectorXd LubricationForces::answer(const Eigen::VectorXd& impulses) const {
   const auto n = static_cast<Eigen::Index>(axes_.size());
   Eigen::VectorXd all = Eigen::VectorXd::Zero(inertia_.n_rows()), change(n_rows_);
   const auto each_row = [&](auto visit) {
@@ -227,8 +228,8 @@ Eigen::VectorXd Films::answer(const Eigen::VectorXd& impulses) const {
   return change;
 }
 
-void Films::push(const std::vector<double>& impulses, std::vector<Vec3>& velocity,
-                 std::vector<Vec3>& spin) const {
+void LubricationForces::force(const std::vector<double>& impulses, std::vector<Vec3>& velocity,
+                              std::vector<Vec3>& spin) const {
   if (inertia_.empty()) {
     for (std::size_t d = 0; d < dampers_.size(); ++d)
       each_body(dampers_[d], [&](std::uint32_t i, const Vec6& along) {

@@ -22,7 +22,7 @@ from launcher.setup import build, mesh, packages
 
 class Words(FakeTest):
     def test_wrong_words_have_status_2_and_a_sentence(self):
-        for words, what in ((["fly"], "invalid choice"), (["run"], "SCENE"), ([], "WORD"),
+        for words, what in ((["fly"], "invalid choice"), (["run"], "SCENE"), ([], "COMMAND"),
                             (["run", "drop.toml", "--jobs", "0"], "at least 1"),
                             (["build", "--preset", "fast"], "invalid choice")):
             status, _, err = self.fpi(*words)

@@ -16,10 +16,10 @@
 
 namespace fpi::coupling {
 
-class BalanceForecast {
+class PredictedForce {
  public:
   /// Of each unknown: `mass` M of the body, and m_f of the fluid that it displaces (0 of a spin).
-  BalanceForecast(const Eigen::VectorXd& mass, const Eigen::VectorXd& displaced);
+  PredictedForce(const Eigen::VectorXd& mass, const Eigen::VectorXd& displaced);
 
   /// A step of Δt [s] from velocities V_n to V under G, with the resistance A that it found, or without
   /// entries where it found none. Rows of unknowns that take no part are zero.

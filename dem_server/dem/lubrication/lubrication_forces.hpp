@@ -12,10 +12,10 @@
 
 namespace fpi::dem {
 
-class Films {
+class LubricationForces {
  public:
   /// `resolved_gaps` [m] of each body; empty: no fluid is resolved. Bodies move with `inertia`.
-  Films(const Model& model, const SharedInertia& inertia, std::span<const double> resolved_gaps);
+  LubricationForces(const Model& model, const SharedInertia& inertia, std::span<const double> resolved_gaps);
 
   /// The gap below which the widest film begins [m]; 0 where there are none.
   double reach() const { return reach_; }
@@ -51,7 +51,7 @@ class Films {
   Eigen::VectorXd changes(const Eigen::VectorXd& impulses) const;
   Eigen::VectorXd changes_together(const Eigen::VectorXd& impulses) const;
   Eigen::VectorXd answer(const Eigen::VectorXd& impulses) const;
-  void push(const std::vector<double>& impulses, std::vector<Vec3>& velocity, std::vector<Vec3>& spin) const;
+  void force(const std::vector<double>& impulses, std::vector<Vec3>& velocity, std::vector<Vec3>& spin) const;
   /// Calls visit(body, along) for the bodies of a damper.
   template <class Visit>
   void each_body(const Damper& damper, Visit visit) const {

@@ -1,4 +1,4 @@
-#include "dem/contact/pair_memories.hpp"
+#include "dem/contact/pair_histories.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -21,7 +21,7 @@ std::optional<std::size_t> pair_of(const Neighbours& neighbours, std::uint32_t i
 
 }  // namespace
 
-PairMemories::PairMemories(const ContactList<Pair>& contacts, const Neighbours& neighbours, bool turning)
+PairHistories::PairHistories(const ContactList<Pair>& contacts, const Neighbours& neighbours, bool turning)
     : slip(neighbours.n_pairs()),
       roll(turning ? neighbours.n_pairs() : 0),
       touching(neighbours.n_pairs() + n_lanes, 0) {
@@ -34,26 +34,26 @@ PairMemories::PairMemories(const ContactList<Pair>& contacts, const Neighbours& 
     if (!found) found = pair_of(neighbours, lower = particle[b], particle[a]);
     if (!found) continue;
     const std::size_t p = *found;
-    const Memory& memory = contacts.memories[c];
+    const ContactHistory& history = contacts.histories[c];
     touching[p] = 1;
-    slip[p] = join(memory.slip, memory.twist);
-    if (turning) roll[p] = join(direction(lower != particle[a]) * memory.roll, 0);
+    slip[p] = join(history.slip, history.twist);
+    if (turning) roll[p] = join(direction(lower != particle[a]) * history.roll, 0);
   }
 }
 
-ContactList<Pair> PairMemories::collect(const Neighbours& neighbours) const {
+ContactList<Pair> PairHistories::collect(const Neighbours& neighbours) const {
   ContactList<Pair> contacts;
   const auto n = static_cast<std::size_t>(
       std::count(touching.begin(), touching.begin() + static_cast<std::ptrdiff_t>(neighbours.n_pairs()), 1));
   contacts.places.reserve(n);
-  contacts.memories.reserve(n);
+  contacts.histories.reserve(n);
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     for (std::uint32_t p = neighbours.start[i]; p < neighbours.start[i + 1]; ++p) {
       if (!touching[p]) continue;
       const std::uint32_t low = neighbours.order[i], high = neighbours.order[neighbours.other[p]];
       contacts.places.push_back({std::min(low, high), std::max(low, high)});
-      contacts.memories.push_back({.slip = slip[p].head<3>(), .twist = slip[p][3]});
-      if (!roll.empty()) contacts.memories.back().roll = direction(low > high) * roll[p].head<3>();
+      contacts.histories.push_back({.slip = slip[p].head<3>(), .twist = slip[p][3]});
+      if (!roll.empty()) contacts.histories.back().roll = direction(low > high) * roll[p].head<3>();
     }
   }
   return contacts;

@@ -1,4 +1,4 @@
-/// Where outlines lie in the mesh: the cells and nodes that each of them meets, found anew only where it was
+/// Where surfaces lie in the mesh: the cells and nodes that each of them meets, found anew only where it was
 /// not in the same place before.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace fpi::fluid {
 
-struct Footprint {
-  Outline outline;
+struct IntersectedCells {
+  Surface surface;
   std::vector<Index> cut, inside;  ///< cells, ascending; those only touched are in `cut`
   std::vector<Index> covered;      ///< nodes inside the body, ascending
 };
@@ -22,18 +22,19 @@ struct Footprint {
 struct Image {
   Index interface;  ///< index in the list of interfaces
   Vec2 shift;       ///< from the body to its image, whole periods [m]
-  std::shared_ptr<const Footprint> footprint;
+  std::shared_ptr<const IntersectedCells> intersected_cells;
 
-  const Outline& outline() const { return footprint->outline; }  ///< shifted
+  const Surface& surface() const { return intersected_cells->surface; }  ///< shifted
 };
 
-/// Of all interfaces, in their order; an image that was in the same place `before` shares its footprint.
+/// Of all interfaces, in their order; an image that was in the same place `before` shares its intersected
+/// cells.
 std::vector<Image> images(const Mesh& mesh, const Locator& locator, std::span<const Interface> interfaces,
                           std::span<const Image> before);
-std::vector<Outline> outlines(std::span<const Image> images);
+std::vector<Surface> surfaces(std::span<const Image> images);
 
-/// Arc length that suits the mesh around an outline: `ratio` times the mean size h of the elements it cuts; 0
+/// Arc length that suits the mesh around a surface: `ratio` times the mean size h of the elements it cuts; 0
 /// outside the mesh.
-double wanted_arc_length(const Mesh& mesh, const Locator& locator, const Outline& outline, double ratio);
+double wanted_arc_length(const Mesh& mesh, const Locator& locator, const Surface& surface, double ratio);
 
 }  // namespace fpi::fluid
