@@ -259,8 +259,8 @@ def report_end(folder: Path, status: int, summary: dict, arguments) -> None:
 
 def do_check(arguments) -> int:
     ensure_programs(quiet=arguments.json)
-    report = run.check(scenes.find(arguments.scene), arguments.overrides)
-    reports = [report] + [run.check(Path(stage["scene"]), []) for stage in report["stages"] if not stage["ready"]]
+    report = run.check(scenes.find(arguments.scene), arguments.overrides, arguments.json)
+    reports = [report] + [run.check(Path(stage["scene"]), [], arguments.json) for stage in report["stages"] if not stage["ready"]]
     if arguments.json:
         for one in reports:
             del one["text"]

@@ -29,12 +29,13 @@ struct Coupling {
                                                               "physical"};
 
   void declare(ParameterVisitor& v) {
-    v.choice(
-        {"scheme", "",
-         "implicit: exchanges until fluid and grains agree; semi_implicit: the motion is corrected once, "
-         "two exchanges a step; explicit: one exchange; auto: implicit, but bodies much heavier than the "
-         "fluid are not verified where the next exchange is proven to be within the tolerance"},
-        scheme, schemes);
+    v.choice({"scheme", "",
+              "implicit: sub-iterations until fluid and grains agree; semi_implicit: the motion is corrected "
+              "once, "
+              "two sub-iterations a step; explicit: one sub-iteration; auto: implicit, but bodies much "
+              "heavier than the "
+              "fluid are not verified where the next sub-iteration is proven to be within the tolerance"},
+             scheme, schemes);
     v.choice(
         {"acceleration", "",
          "how the next iterate is found: constant or Aitken's relaxation, or interface quasi-Newton with "

@@ -1,6 +1,6 @@
 /// When a step has converged: the velocities that come back are those that went out, and the force that is
-/// missing to make them so is small. Both are residuals of one exchange, so that a good guess is verified by
-/// a single one.
+/// missing to make them so is small. Both are residuals of one sub-iteration, so that a good guess is
+/// verified by a single one.
 ///
 /// A velocity is small against those of the bodies or of the fluid, whichever are larger: what bodies feel
 /// depends on how they move through the fluid, and where a flow passes bodies that rest, only the flow is

@@ -38,8 +38,8 @@ struct StallEvent {
 struct StepResult {
   bool converged = false;
   std::string reason;                ///< why not
-  std::uint32_t sub_iterations = 0;  ///< exchanges, with the one that verified convergence
-  Residual velocity, force;          ///< of the last exchange
+  std::uint32_t sub_iterations = 0;  ///< sub-iterations, with the one that verified convergence
+  Residual velocity, force;          ///< of the last sub-iteration
   Eigen::Index worst = 0;            ///< unknown with the largest residual there
   ColumnCount columns;               ///< of the last acceleration
   std::vector<StallEvent> stalls;
@@ -47,8 +47,8 @@ struct StepResult {
 
 class StaggeredIteration {
  public:
-  /// The residual of the exchange after the next is at least this part of the next one's, whatever is proven
-  /// of the map: more than that a step is not taken without being verified.
+  /// The residual of the sub-iteration after the next is at least this part of the next one's, whatever is
+  /// proven of the map: more than that a step is not taken without being verified.
   static constexpr double least_contraction = 1e-2;
   static constexpr double safe_contraction = 0.2;  ///< above it nothing is taken unverified
 
@@ -56,9 +56,10 @@ class StaggeredIteration {
 
   /// Iterates a step of size Δt [s] from `guess`, in units of velocity. `inertia` > 0 measures the unknowns,
   /// so that a norm is a kinetic energy and one factor suits them all. A guess that comes true takes a single
-  /// exchange. The scheme "explicit" takes the first exchange as it is, "semi_implicit" corrects the motion
-  /// once and takes the second. With "auto" an exchange is taken where the residual of the next is proven to
-  /// be within the tolerances: `contraction`, where it is small, bounds the one over the other.
+  /// sub-iteration. The scheme "explicit" takes the first sub-iteration as it is, "semi_implicit" corrects
+  /// the motion once and takes the second. With "auto" a sub-iteration is taken where the residual of the
+  /// next is proven to be within the tolerances: `contraction`, where it is small, bounds the one over the
+  /// other.
   StepResult solve(const CoupledMap& map, const Eigen::VectorXd& guess, const Eigen::VectorXd& inertia,
                    double time_step, double contraction = 1);
 

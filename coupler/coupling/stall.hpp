@@ -10,12 +10,12 @@ enum class Stall { none, stagnation, cycle };
 
 class StallWatch {
  public:
-  static constexpr int patience = 6;       ///< exchanges without progress that are a stagnation
+  static constexpr int patience = 6;       ///< sub-iterations without progress that are a stagnation
   static constexpr double progress = 0.9;  ///< the smallest residual must fall by this factor within them
   static constexpr std::size_t longest_cycle = 4;
   static constexpr double same = 1e-2;  ///< difference of residuals that come back, over their size
 
-  /// The residual of one more exchange, in the norm that convergence is measured in.
+  /// The residual of one more sub-iteration, in the norm that convergence is measured in.
   Stall add(const Eigen::VectorXd& residual);
   void reset() { *this = {}; }
 
@@ -23,8 +23,8 @@ class StallWatch {
   bool comes_back(const Eigen::VectorXd& residual) const;
 
   double best_ = 0;                   ///< smallest norm that progress is counted from; 0: none yet
-  int since_ = 0;                     ///< exchanges since
-  int returns_ = 0;                   ///< exchanges in a row that one of the last few had already
+  int since_ = 0;                     ///< sub-iterations since
+  int returns_ = 0;                   ///< sub-iterations in a row that one of the last few had already
   std::deque<Eigen::VectorXd> last_;  ///< newest first
 };
 

@@ -36,7 +36,7 @@ class Statistics {
   std::uint64_t dropped_columns() const { return dropped_; }
   double largest_displacement() const { return displacement_; }  ///< of h
   double largest_miss() const { return miss_; }                  ///< of h
-  /// The unknown that had the largest residual in most steps of several exchanges, and in how many.
+  /// The unknown that had the largest residual in most steps of several sub-iterations, and in how many.
   struct Worst {
     Eigen::Index unknown;
     std::uint64_t steps;

@@ -19,7 +19,7 @@ TimeLoop::TimeLoop(const scene::Scene& scene, Participants participants, std::st
       timers_(timers),
       problem_(scene, participants, run),
       window_(scene.time, scene.output.interval) {
-  problem_.after_exchange = [this](std::uint32_t exchanges) {
+  problem_.after_sub_iteration = [this](std::uint32_t exchanges) {
     sub_iterations_ = exchanges;
     report_progress();
   };

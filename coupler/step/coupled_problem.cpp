@@ -223,8 +223,8 @@ coupling::StepStart CoupledProblem::step_start() const {
           .time_step = trial_.time_step};
 }
 
-/// What a residual becomes at most in the next exchange, where nothing touches: a body's motion changes the
-/// fluid's force on it by its added inertia, or several times that near others; the DEM answers with its
+/// What a residual becomes at most in the next sub-iteration, where nothing touches: a body's motion changes
+/// the fluid's force on it by its added inertia, or several times that near others; the DEM answers with its
 /// mass.
 double CoupledProblem::contraction() const {
   constexpr double near_others = 4;
@@ -319,7 +319,7 @@ coupling::Exchange CoupledProblem::exchange(const Eigen::VectorXd& x, std::uint3
   if (!solvers_.dem_takes_added_inertia())
     answer.residual.array() *= dofs_.inertia().array() / inertia_.array();
   if (fluid_moves_bodies_) trial_.force_of_dem += inertia_.cwiseProduct(answer.residual) / trial_.time_step;
-  if (after_exchange) after_exchange(++exchanges_);
+  if (after_sub_iteration) after_sub_iteration(++exchanges_);
   return answer;
 }
 

@@ -63,8 +63,8 @@ class CoupledProblem {
   NumbersByName numbers() const;
   void set_numbers(const NumbersByName& numbers);
 
-  /// Called after every exchange with the number of exchanges in the step.
-  std::function<void(std::uint32_t)> after_exchange;
+  /// Called after every sub-iteration with the number of sub-iterations in the step.
+  std::function<void(std::uint32_t)> after_sub_iteration;
 
  private:
   void float_in_still_fluid();

@@ -292,9 +292,9 @@ void NavierStokes::accept() {
   spread_to_copies(space_.mesh, 1, accepted_.p);
   Corrector kept = current_.corrector;
   if (time_terms_.moves()) kept.factor = nullptr;
-  // More than three exchanges: the resistance that bodies moved with no longer holds.
-  constexpr unsigned many_exchanges = 3;
-  if (system_->wants_resistance() && last_->sub_iteration >= many_exchanges)
+  // More than three sub-iterations: the resistance that bodies moved with no longer holds.
+  constexpr unsigned many_sub_iterations = 3;
+  if (system_->wants_resistance() && last_->sub_iteration >= many_sub_iterations)
     kept_.drop();
   else
     kept_.take(kept);

@@ -160,6 +160,7 @@ class Run:
                 self.tell_of_exits()
                 self.pass_interruption_on()
                 self.tell_of_stops()
+                self.tell_of_time()
                 if self.interrupted_at and time.monotonic() - self.interrupted_at > INTERRUPT_PATIENCE:
                     self.display.warn("the coupler does not end; it is terminated")
                     return
@@ -245,6 +246,9 @@ class Run:
                 if child.status is None:
                     self.display.warn(f"{child.name} goes on")
 
+    def tell_of_time(self) -> None:
+        """For what has no progress of its own."""
+
     def tell(self, role: str, status: int) -> None:
         """Tells the coupler that a participant is gone; it decides what that means. A signal counts negative."""
         self.told.add(role)
@@ -275,9 +279,19 @@ class Run:
 class Check(Run):
     """A run's set-up without a step: what of the scene would refuse it, and what is doubtful."""
 
-    def __init__(self, scene: Path, folder: Path, overrides: list[str]):
+    SAID_EVERY = 10.0  # [s]; meshes of millions of cells take half a minute
+
+    def __init__(self, scene: Path, folder: Path, overrides: list[str], quiet: bool):
         super().__init__(Request(scene, folder, overrides), {"participants": []}, Display())
         self.report: dict | None = None
+        self.begun = self.said = time.monotonic()
+        self.quiet = quiet
+
+    def tell_of_time(self) -> None:
+        now = time.monotonic()
+        if not self.quiet and now - self.said >= self.SAID_EVERY:
+            self.said = now
+            self.display.warn(f"checking {self.request.scene}: {now - self.begun:.0f} s so far")
 
     def coupler_command(self) -> list[str]:
         return [str(program("coupler")), "--check", str(self.request.scene), "--out", str(self.request.folder),
@@ -295,10 +309,10 @@ class Check(Run):
             super().hear(line)
 
 
-def check(scene: Path, overrides: list[str]) -> dict:
-    """The coupler's report on a scene. Refuses where the check did not come to its end; leaves nothing behind."""
+def check(scene: Path, overrides: list[str], quiet: bool = False) -> dict:
+    """The coupler's report on a scene. Says how long it takes where that is long, unless `quiet`. Refuses where the check did not come to its end; leaves nothing behind."""
     with tempfile.TemporaryDirectory(prefix="fpi-check-") as folder:
-        the_check = Check(scene, Path(folder), overrides)
+        the_check = Check(scene, Path(folder), overrides, quiet)
         status = the_check.execute()
     if status >= 128:
         raise Refusal(STOPPED, status)

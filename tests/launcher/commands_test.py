@@ -8,6 +8,7 @@ import subprocess
 import sys
 import shutil
 import tempfile
+import time
 import unittest
 from contextlib import redirect_stdout
 from pathlib import Path
@@ -43,6 +44,16 @@ class Words(FakeTest):
         self.assertEqual(self.fpi("check", "broken.toml"), (1, "broken.toml: 1 errors\n", ""))
         status, out, err = self.fpi("check", "broken.toml", "--json")
         self.assertEqual((status, json.loads(out)["status"], err), (1, "refused", ""))
+
+    def test_a_check_that_takes_long_says_so_unless_a_script_reads(self):
+        for quiet, expected in ((False, "checking drop.toml: 20 s so far"), (True, None)):
+            check = run.Check(Path("drop.toml"), self.folder, [], quiet)
+            said = []
+            check.display.warn = said.append
+            check.begun, check.said = time.monotonic() - 20, time.monotonic() - 11
+            check.tell_of_time()
+            check.tell_of_time()
+            self.assertEqual(said, [expected] if expected else [])
 
     def test_list_has_every_scene_with_its_title(self):
         status, out, _ = self.fpi("list")

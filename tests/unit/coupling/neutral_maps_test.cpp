@@ -1,5 +1,5 @@
 /// Every acceleration against maps that stand for no program: linear ones with known spectra, a stiff pair
-/// of springs, a nonlinear one. The numbers of exchanges are pinned, so that a change of one shows.
+/// of springs, a nonlinear one. The numbers of sub-iterations are pinned, so that a change of one shows.
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
@@ -43,7 +43,7 @@ CoupledMap exchange_of(const Image& H, Eigen::VectorXd* last = nullptr) {
   };
 }
 
-/// Numbers of exchanges of `steps` steps whose fixed points differ.
+/// Numbers of sub-iterations of `steps` steps whose fixed points differ.
 std::vector<std::uint32_t> exchanges(const scene::Coupling& parameters, Eigen::Index n_bodies,
                                      const std::function<Image(int)>& map, int steps = 1) {
   const RigidDofs dofs = discs(n_bodies);
@@ -106,8 +106,8 @@ std::function<Image(int)> quadratic_drag(double drag) {
 
 struct NeutralMaps : testing::TestWithParam<const char*> {
   std::string name = GetParam();
-  /// To the exchange; of the schemes without a memory to a quarter, as slow ones end where rounding has it:
-  /// with or without fused multiplication, Aitken's takes 37 or 46.
+  /// To the sub-iteration; of the schemes without a memory to a quarter, as slow ones end where rounding has
+  /// it: with or without fused multiplication, Aitken's takes 37 or 46.
   void is_pinned(const std::map<std::string, std::vector<std::uint32_t>>& pinned,
                  const std::vector<std::uint32_t>& counts) {
     const std::vector<std::uint32_t>& expected = pinned.at(name);
@@ -118,7 +118,7 @@ struct NeutralMaps : testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(NeutralMaps, a_spectrum_of_heavy_bodies_takes_as_many_exchanges_as_pinned) {
+TEST_P(NeutralMaps, a_spectrum_of_heavy_bodies_takes_as_many_sub_iterations_as_pinned) {
   is_pinned({{"constant", {25, 22, 25}},
              {"aitken", {12, 12, 13}},
              {"iqn-ils", {11, 4, 2}},
@@ -126,7 +126,7 @@ TEST_P(NeutralMaps, a_spectrum_of_heavy_bodies_takes_as_many_exchanges_as_pinned
             exchanges(with(name), 4, linear(Eigen::VectorXd::LinSpaced(12, -0.5, 0.2)), 3));
 }
 
-TEST_P(NeutralMaps, a_spectrum_of_light_bodies_takes_as_many_exchanges_as_pinned) {
+TEST_P(NeutralMaps, a_spectrum_of_light_bodies_takes_as_many_sub_iterations_as_pinned) {
   is_pinned({{"constant", {135, 163, 164}},
              {"aitken", {37, 52, 51}},
              {"iqn-ils", {14, 2, 2}},
@@ -134,13 +134,13 @@ TEST_P(NeutralMaps, a_spectrum_of_light_bodies_takes_as_many_exchanges_as_pinned
             exchanges(with(name, 0.2), 4, linear(Eigen::VectorXd::LinSpaced(12, -8, 0.5)), 3));
 }
 
-TEST_P(NeutralMaps, a_stiff_pair_of_springs_takes_as_many_exchanges_as_pinned) {
+TEST_P(NeutralMaps, a_stiff_pair_of_springs_takes_as_many_sub_iterations_as_pinned) {
   is_pinned(
       {{"constant", {11, 10, 11}}, {"aitken", {3, 2, 2}}, {"iqn-ils", {3, 2, 2}}, {"iqn-imvj", {3, 2, 2}}},
       exchanges(with(name, 0.1), 2, spring_pair(1000), 3));
 }
 
-TEST_P(NeutralMaps, a_nonlinear_drag_takes_as_many_exchanges_as_pinned) {
+TEST_P(NeutralMaps, a_nonlinear_drag_takes_as_many_sub_iterations_as_pinned) {
   is_pinned({{"constant", {49, 48, 48, 48}},
              {"aitken", {10, 9, 12, 10}},
              {"iqn-ils", {8, 9, 8, 8}},

@@ -125,7 +125,7 @@ TEST(StaggeredIteration, aitken_solves_a_map_with_one_slope_in_three_exchanges) 
   EXPECT_EQ(result.sub_iterations, 3u);
 }
 
-/// Without the filter three slopes would take five exchanges; one column adds too little to the newest.
+/// Without the filter three slopes would take five sub-iterations; one column adds too little to the newest.
 TEST(StaggeredIteration, iqn_solves_a_linear_map_with_three_slopes_in_six_exchanges) {
   Problem p;
   p.map.slopes = Eigen::Vector3d(-1.6, -4, 0.7);
