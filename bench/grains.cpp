@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/pages.hpp"
 #include "dem/solver.hpp"
 
 using namespace fpi;
@@ -102,6 +103,7 @@ double peak_memory() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  fpi::keep_pages();  // as dem_server does
   try {
     require(argc >= 4, "grains_bench PACKING.csv SUB_STEPS DT [--discs] [--gravity G] [--box BOUNDS]");
     const auto steps = static_cast<double>(std::stoul(argv[2]));
