@@ -1,11 +1,10 @@
 #include "resolution_report.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/expression.hpp"
+#include "core/pages.hpp"
 #include "measurements.hpp"
 
 namespace fpi::fluid {
@@ -20,11 +19,6 @@ constexpr double creeping_body = 2, creeping_channel = 10;  ///< Reynolds number
 double expected_memory(double unknowns) {
   constexpr double base = 2.6e7, per_unknown = -130, per_fill = 228;
   return base + unknowns * (per_unknown + per_fill * std::log2(std::max(unknowns, 4.0)));
-}
-
-/// Of this machine [B].
-double physical_memory() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 double diameter(const Surface& surface) { return std::sqrt(4 * surface.area() / M_PI); }
@@ -57,12 +51,13 @@ void ResolutionReport::begin(const scene::Scene& scene, const NavierStokes& solv
   smallest_ = mesh.size(0);
   for (Index c = 0; c < mesh.n_cells(); ++c) smallest_ = std::min(smallest_, mesh.size(c));
   unknowns_ = 2.0 * mesh.n_nodes() + mesh.n_vertices();
-  if (const double expected = expected_memory(unknowns_); expected > physical_memory())
+  const auto memory = static_cast<double>(machine_memory());
+  if (const double expected = expected_memory(unknowns_); expected > memory)
     findings.warn(
         "fluid.mesh",
         "about {:.3g} GB of memory are expected for {:.3g} unknowns, and this machine has {:.3g} GB: "
         "the system may end the run; take larger elements, or another machine",
-        expected / 1e9, unknowns_, physical_memory() / 1e9);
+        expected / 1e9, unknowns_, memory / 1e9);
   const Box box = mesh.box();
   length_ = (box.upper - box.lower).minCoeff();
   length_of_ = "the mesh";

@@ -14,7 +14,9 @@ def find(word: str) -> Path:
 
 def find_file(word: str, suffix: str, what: str) -> Path:
     """The file called `word`: a path, or a name in a folder of configs/."""
-    places = Path(word), *(path for path in shipped(suffix) if word in (path.stem, path.name))
+    if (path := Path(word)).is_file():
+        return path
+    places = path, *(path for path in shipped(suffix) if word in (path.stem, path.name))
     for path in places:
         if path.is_file():
             return path
@@ -34,7 +36,7 @@ def shipped(suffix: str) -> list[Path]:
 
 def titles() -> list[tuple[str, str, str]]:
     """Folder, name and title of each scene in configs/, folder by folder."""
-    return [(path.parent.name, path.stem, title(path)) for path in sorted(FOLDER.glob("*/*.toml"))]
+    return [(path.parent.name, path.stem, title(path)) for path in sorted(shipped(".toml"))]
 
 
 def title(scene: Path) -> str:

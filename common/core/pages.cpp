@@ -25,11 +25,6 @@ constexpr bool is_sanitized = false;
 
 constexpr std::size_t large_page = std::size_t{1} << 21;
 
-std::size_t machine_memory() {
-  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-  return pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : 0;
-}
-
 /// What this process may take of a resource [bytes].
 std::size_t limit_of(__rlimit_resource resource) {
   rlimit limit{};
@@ -65,6 +60,11 @@ std::size_t unused_memory() {
 }
 
 }  // namespace
+
+std::size_t machine_memory() {
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  return pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : 0;
+}
 
 void keep_pages() {
   const std::size_t bytes = reserve();

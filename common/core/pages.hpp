@@ -5,7 +5,12 @@
 /// small case.
 #pragma once
 
+#include <cstddef>
+
 namespace fpi {
+
+/// Of this machine [bytes]; 0 where the system does not say.
+std::size_t machine_memory();
 
 /// From now on freed memory stays with the program and new memory comes in pages of 2 MB, where the system
 /// has them (transparent_hugepage: madvise or always). Reserves addresses, not memory. Call it first in main.

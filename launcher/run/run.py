@@ -310,7 +310,8 @@ class Check(Run):
 
 
 def check(scene: Path, overrides: list[str], quiet: bool = False) -> dict:
-    """The coupler's report on a scene. Says how long it takes where that is long, unless `quiet`. Refuses where the check did not come to its end; leaves nothing behind."""
+    """The coupler's report on a scene. Says how long it takes where that is long, unless `quiet`. Refuses where the check
+    did not come to its end; leaves nothing behind."""
     with tempfile.TemporaryDirectory(prefix="fpi-check-") as folder:
         the_check = Check(scene, Path(folder), overrides, quiet)
         status = the_check.execute()

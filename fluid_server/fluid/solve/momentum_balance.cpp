@@ -120,8 +120,8 @@ std::vector<MovingPart> moving_parts(const System& system, const Vector& displac
   if (accepted.fluid_in_cells.size() == 0) return {};
   const Mesh& mesh = system.space().mesh;
   const Partition of = partition(mesh, moving_nodes(system, displacement, accepted));
-  const Vector stays = Vector::Zero(time.moves() ? 0 : 2 * static_cast<Eigen::Index>(mesh.n_nodes()));
-  const Vector& mesh_velocity = time.moves() ? time.mesh_velocity : stays;
+  const Vector at_rest = Vector::Zero(time.moves() ? 0 : 2 * static_cast<Eigen::Index>(mesh.n_nodes()));
+  const Vector& mesh_velocity = time.moves() ? time.mesh_velocity : at_rest;
   std::vector<MovingPart> parts(of.n);
   for (std::size_t k = 0; k < system.active_cells().size(); ++k) {
     const Index c = system.active_cells()[k];

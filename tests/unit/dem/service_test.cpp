@@ -12,16 +12,21 @@
 namespace fpi::dem {
 namespace {
 
+std::string ball(const std::string& name, const std::string& position) {
+  return "[[bodies]]\nname = \"" + name + "\"\nradius = 0.01\ndensity = 2500\nposition = " + position + "\n";
+}
+
+std::string wall(const std::string& name, const std::string& point, const std::string& normal) {
+  return "[[walls]]\nname = \"" + name + "\"\npoint = " + point + "\nnormal = " + normal + "\n";
+}
+
 const std::string scene = R"(
 gravity = [0, -9.81]
 [time]
 step = 1e-3
 end = 1
-[[bodies]]
-name = "a"
-radius = 0.01
-density = 2500
-position = [0, 0.5]
+)" + ball("a", "[0, 0.5]") +
+                          R"(
 [[bodies]]
 name = "post"
 radius = 0.01
@@ -30,11 +35,7 @@ position = [1, 0.5]
 [[materials]]
 name = "stone"
 youngs_modulus = 1e8
-[[walls]]
-name = "floor"
-point = [0, 0]
-normal = [0, 1]
-)";
+)" + wall("floor", "[0, 0]", "[0, 1]");
 
 proto::DemAdvance fall(double time_step) {
   return {.time = time_step,
@@ -63,31 +64,10 @@ std::vector<std::string> keys_of_errors(const std::string& text) {
 }
 
 TEST(DemService, finds_every_wall_and_every_overlap_that_is_wrong_and_says_where) {
-  EXPECT_EQ(keys_of_errors(scene + R"(
-[[walls]]
-name = "ramp"
-point = [0, 0]
-normal = [0.1, 1]
-[[walls]]
-name = "lid"
-point = [0, 2]
-normal = [0.1, -1]
-[periodic]
-x = [-2, 2]
-)"),
+  EXPECT_EQ(keys_of_errors(scene + wall("ramp", "[0, 0]", "[0.1, 1]") + wall("lid", "[0, 2]", "[0.1, -1]") +
+                           "[periodic]\nx = [-2, 2]\n"),
             (std::vector<std::string>{"walls.1", "walls.2"}));
-  EXPECT_EQ(keys_of_errors(scene + R"(
-[[bodies]]
-name = "deeper"
-radius = 0.01
-density = 2500
-position = [3, 0.002]
-[[bodies]]
-name = "in_the_floor"
-radius = 0.01
-density = 2500
-position = [2, 0.005]
-)"),
+  EXPECT_EQ(keys_of_errors(scene + ball("deeper", "[3, 0.002]") + ball("in_the_floor", "[2, 0.005]")),
             (std::vector<std::string>{"bodies.2.position", "bodies.3.position"}));
 }
 
